@@ -1,0 +1,99 @@
+#pragma once
+
+#include "visibility/geometry/box.hpp"
+#include "visibility/scene/segment_probe.hpp"
+
+#include <cstdint>
+#include <queue>
+#include <span>
+#include <vector>
+
+namespace visibility {
+
+/// Bounding volume hierarchy over boxes, for every method: all items along a segment, all items that meet a box, and a
+/// front-to-back walk from a region that drops whole subtrees. Culling is conservative: nothing that meets the query
+/// is ever skipped. Built once, const afterwards; queries may run in parallel.
+class BoundingHierarchy {
+public:
+  struct Node {
+    Box bounds;
+    std::uint32_t first;  ///< leaf: first position in `items()`; inner: left child, the right child follows it
+    std::uint32_t count;  ///< leaf: number of items; inner: 0
+    bool is_leaf() const { return count != 0; }
+  };
+
+  BoundingHierarchy() = default;
+  /// O(n log n), binned surface-area heuristic [Wald 2007]. Items are named by their position in `boxes`.
+  explicit BoundingHierarchy(std::span<Box const> boxes);
+
+  std::span<Node const> nodes() const { return nodes_; }          ///< nodes()[0] is the root; empty for no items
+  std::span<std::uint32_t const> items() const { return items_; }  ///< permutation of the items, leaves contiguous
+  void validate(std::span<Box const> boxes) const;                 ///< throws std::logic_error naming the broken invariant
+
+  /// Calls visit(item) for every item in a node that the segment may meet, in no order, until visit returns true.
+  /// Returns whether it did.
+  template <class Visit>
+  bool any_along(SegmentProbe const& probe, Visit&& visit) const
+  {
+    return walk([&](Node const& n) { return !probe.certainly_misses(n.bounds); }, visit);
+  }
+
+  /// Calls visit(item) for every item in a node whose bounds meet the box, until visit returns true.
+  template <class Visit>
+  bool any_meeting(Box const& box, Visit&& visit) const
+  {
+    return walk([&](Node const& n) { return meet(n.bounds, box); }, visit);
+  }
+
+  /// Walks nodes by growing distance from `region`. enter(node, box) returns whether to descend, asked when the node's
+  /// turn comes; visit(item) is called for the items of entered leaves. The order is that of rounded distances:
+  /// good for speed, not to be relied on for correctness.
+  template <class Enter, class Visit>
+  void front_to_back(Box const& region, Enter&& enter, Visit&& visit) const
+  {
+    if (nodes_.empty()) return;
+    using Entry = std::pair<double, std::uint32_t>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    auto const push = [&](std::uint32_t n) {
+      queue.emplace(approximate_squared_distance(region, nodes_[n].bounds), n);
+    };
+    push(0);
+    while (!queue.empty()) {
+      std::uint32_t const index = queue.top().second;
+      queue.pop();
+      Node const& node = nodes_[index];
+      if (!enter(index, node.bounds)) continue;
+      if (node.is_leaf())
+        for (auto i = node.first; i < node.first + node.count; ++i) visit(items_[i]);
+      else
+        push(node.first), push(node.first + 1);
+    }
+  }
+
+private:
+  template <class Pass, class Visit>
+  bool walk(Pass&& pass, Visit&& visit) const
+  {
+    if (nodes_.empty() || !pass(nodes_[0])) return false;
+    std::uint32_t stack[max_depth + 2];
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      Node const& node = nodes_[stack[--top]];
+      if (node.is_leaf()) {
+        for (auto i = node.first; i < node.first + node.count; ++i)
+          if (visit(items_[i])) return true;
+        continue;
+      }
+      if (pass(nodes_[node.first + 1])) stack[top++] = node.first + 1;
+      if (pass(nodes_[node.first])) stack[top++] = node.first;
+    }
+    return false;
+  }
+
+  static constexpr int max_depth = 96;  // the builder splits at the median once half of it is used up
+  std::vector<Node> nodes_;
+  std::vector<std::uint32_t> items_;
+};
+
+}  // namespace visibility

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "visibility/geometry/segment_ball.hpp"
+#include "visibility/geometry/segment_box.hpp"
+#include "visibility/geometry/segment_polyhedron.hpp"
+#include "visibility/geometry/segment_prism.hpp"
+#include "visibility/geometry/segment_triangle.hpp"
+#include "visibility/scene/scene.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace visibility {
+
+/// A scene as closed convex sets: each is an occluder on its own, and together the bodies of an object cover all its
+/// faces. Boxes, balls and polyhedra are taken as they are, prisms through their convex partition, closed convex
+/// pieces of a mesh as polyhedra, all other triangles one by one. Nothing is ever replaced by a hull.
+class ConvexBodies {
+public:
+  enum class Kind : std::uint8_t { box, ball, prism, polyhedron, triangle };
+  struct Body {
+    std::uint32_t object;
+    std::uint32_t index;  ///< into the array of its kind: the scene's boxes, balls, triangles; own prisms, polyhedra
+    Kind kind;
+    bool occludes;  ///< false for the bounding box that stands for a prism with an invalid footprint
+  };
+
+  /// Keeps a reference to the scene, which must outlive this.
+  explicit ConvexBodies(Scene const& scene);
+
+  Scene const& scene() const { return *scene_; }
+  std::span<Body const> bodies() const { return bodies_; }                 ///< in object order
+  std::span<Body const> bodies_of(std::uint32_t object) const;
+  std::span<Box const> bounds() const { return bounds_; }                  ///< one per body, outward
+  std::size_t invalid_footprints() const { return invalid_footprints_; }  ///< occludees only
+
+  Box const& box(Body const& b) const { return b.occludes ? scene_->boxes[b.index] : stand_ins_[b.index]; }
+  Ball const& ball(Body const& b) const { return scene_->balls[b.index]; }
+  ConvexPrism const& prism(Body const& b) const { return prisms_[b.index]; }
+  ConvexPolyhedron const& polyhedron(Body const& b) const
+  {
+    return b.index < scene_->polyhedra.size() ? scene_->polyhedra[b.index]
+                                              : mesh_pieces_[b.index - scene_->polyhedra.size()];
+  }
+  Triangle triangle(Body const& b) const { return scene_->triangle(b.index); }
+
+  /// Points whose convex hull contains the body: its vertices; the corners of its bounding box for a ball.
+  void append_vertices(Body const& b, std::vector<Point3d>& out) const;
+
+private:
+  void add(Body body, Box const& bounds);
+
+  Scene const* scene_;
+  std::vector<Body> bodies_;
+  std::vector<Box> bounds_;
+  std::vector<std::uint32_t> first_body_;  // per object, and one past the last
+  std::vector<Box> stand_ins_;
+  std::vector<ConvexPrism> prisms_;
+  std::vector<ConvexPolyhedron> mesh_pieces_;
+  std::size_t invalid_footprints_ = 0;
+};
+
+/// Whether the segment from p to q meets the closed body. Requires: p != q. Exact.
+template <Arithmetic A, End end = End::included, class NT>
+bool segment_meets(ConvexBodies const& scene, ConvexBodies::Body const& body, Point3<NT> const& p, Point3<NT> const& q)
+{
+  using Kind = ConvexBodies::Kind;
+  switch (body.kind) {
+    case Kind::box: return segment_meets<A, end>(scene.box(body), p, q);
+    case Kind::ball: return segment_meets<A, end>(scene.ball(body), p, q);
+    case Kind::prism: return segment_meets<A, end>(scene.prism(body), p, q);
+    case Kind::polyhedron: return segment_meets<A, end>(scene.polyhedron(body), p, q);
+    case Kind::triangle: return segment_meets<A, end>(scene.triangle(body), p, q);
+  }
+  return false;
+}
+
+}  // namespace visibility

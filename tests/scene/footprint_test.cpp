@@ -1,0 +1,86 @@
+#include "support/catch.hpp"
+#include "support/random.hpp"
+
+#include "visibility/scene/footprint.hpp"
+
+#include <cmath>
+
+using namespace visibility;
+using test::Random;
+
+namespace {
+
+using Ring = std::vector<Point2d>;
+
+RationalNumber doubled_area(Ring const& ring)
+{
+  RationalNumber sum(0);
+  for (std::size_t i = 0, n = ring.size(); i < n; ++i) {
+    auto const &a = ring[i], &b = ring[(i + 1) % n];
+    sum += RationalNumber(a.x) * RationalNumber(b.y) - RationalNumber(b.x) * RationalNumber(a.y);
+  }
+  return sum;
+}
+
+RationalNumber doubled_area(std::vector<ConvexPrism> const& pieces)
+{
+  RationalNumber sum(0);
+  for (auto const& p : pieces) sum += doubled_area(p.footprint);
+  return sum;
+}
+
+/// A star-shaped ring: simple, far from convex.
+Ring star(Random& random, int n, double lo, double hi)
+{
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    double const angle = 2 * 3.14159265358979 * i / n, r = random.uniform(lo, hi);
+    ring.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  return ring;
+}
+
+}  // namespace
+
+TEST_CASE("convex partition: pieces are convex and add up to the polygon exactly", "[scene][law]")
+{
+  auto const seed = GENERATE(range(1, 41));
+  CAPTURE(seed);
+  Random random(static_cast<std::uint64_t>(seed));
+  Prism prism{{star(random, random.between(3, 40), 20, 100)}, 0, 10};
+  RationalNumber expected = doubled_area(prism.rings[0]);
+  if (seed % 2 == 0) {
+    prism.rings.push_back(star(random, random.between(3, 20), 1, 5));
+    expected -= doubled_area(prism.rings[1]);
+  }
+  if (seed % 3 == 0) std::reverse(prism.rings[0].begin(), prism.rings[0].end());
+  auto const pieces = convex_partition(prism);
+  REQUIRE_FALSE(pieces.empty());
+  for (auto const& p : pieces) p.validate();
+  REQUIRE(doubled_area(pieces) == expected);
+}
+
+TEST_CASE("convex partition: a convex footprint is one piece", "[scene]")
+{
+  REQUIRE(convex_partition({{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}}, 0, 1}).size() == 1);
+  // Collinear points on the walls stay.
+  REQUIRE(convex_partition({{{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}}}, 0, 1}).size() == 1);
+  REQUIRE(convex_partition({{{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}, 0, 1}).size() == 2);  // an L
+}
+
+TEST_CASE("convex partition: what is not a polygon with holes is not taken for solid", "[scene][degenerate]")
+{
+  Ring const square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
+  auto const pieces = [](std::vector<Ring> rings) { return convex_partition({std::move(rings), 0, 1}).size(); };
+  REQUIRE(pieces({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}) == 0);                          // crosses itself
+  REQUIRE(pieces({{{0, 0}, {2, 2}, {4, 4}, {4, 0}, {2, 2}, {0, 4}}}) == 0);          // two lobes of opposite turn
+  REQUIRE(pieces({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}) == 2);          // touches itself: fine
+  REQUIRE(pieces({{{0, 0}, {1, 1}, {2, 2}}}) == 0);                                  // no area
+  REQUIRE(pieces({square, {{1, 1}, {5, 1}, {5, 2}, {1, 2}}}) == 0);                  // hole crosses the ring
+  REQUIRE(pieces({square, {{5, 5}, {6, 5}, {6, 6}, {5, 6}}}) == 0);                  // hole outside
+  REQUIRE(pieces({square, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}}) == 0);                  // hole shares a stretch of wall
+  REQUIRE(pieces({square, square}) == 0);                                            // hole is everything
+  REQUIRE(pieces({square, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{2, 2}, {2.5, 2}, {2.5, 2.5}, {2, 2.5}}}) == 0);
+  REQUIRE(pieces({square, {{0, 0}, {1, 1}, {1, 2}}}) > 0);                           // hole touches in a point: fine
+  REQUIRE(convex_partition({{square}, 1, 1}).empty());
+}
