@@ -1,0 +1,40 @@
+#pragma once
+
+#include "visibility/scene/potentially_visible_set.hpp"
+#include "visibility/scene/prepared_scene.hpp"
+#include "visibility/scene/view_cell.hpp"
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace visibility::commands {
+
+/// Which method is to run, with what arithmetic and options: the part of the command line that `pvs` has beside the
+/// scene and the cells.
+struct MethodArguments {
+  std::string method = "strong-occlusion";
+  std::string arithmetic = "filtered";
+  std::string granularity = "face";
+  bool no_groups = false;
+  std::uint64_t rays = 1'000'000;
+  double seconds = 0;
+  std::uint64_t seed = 1;
+
+  void add_to(CLI::App& command);
+  /// Throws BadInput for a method, arithmetic or option value that does not exist.
+  void validate() const;
+  /// The options that matter to the method, as text for the result file.
+  std::map<std::string, std::string> options() const;
+  PotentiallyVisibleSet run(PreparedScene const& scene, ViewCell const& cell) const;
+};
+
+/// Every method applies to every scene so far: each takes boxes, prisms, polyhedra, balls and triangles.
+std::vector<std::string> method_names();
+
+}  // namespace visibility::commands
