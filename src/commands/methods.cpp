@@ -1,5 +1,6 @@
 #include "methods.hpp"
 
+#include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
 
@@ -49,6 +50,8 @@ void MethodArguments::validate() const
   require_one_of("--method", method, method_names());
   require_one_of("--arithmetic", arithmetic, {"filtered", "rational", "double"});
   require_one_of("--granularity", granularity, {"object", "part", "face"});
+  if (method == "sampling" && arithmetic != "filtered")
+    throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
   if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
 }
 
@@ -59,11 +62,19 @@ std::map<std::string, std::string> MethodArguments::options() const
   return {{"granularity", granularity}, {"groups", no_groups ? "off" : "on"}};
 }
 
-PotentiallyVisibleSet MethodArguments::run(PreparedScene const& scene, ViewCell const& cell) const
+MethodRunner::MethodRunner(MethodArguments arguments, PreparedScene const& scene)
+  : arguments_(std::move(arguments)), scene_(scene)
 {
-  if (arithmetic == "rational") return run_strong_occlusion<Rational>(*this, scene, cell);
-  if (arithmetic == "double") return run_strong_occlusion<Double>(*this, scene, cell);
-  return run_strong_occlusion<Filtered>(*this, scene, cell);
+  if (arguments_.method == "sampling") rays_.emplace(scene);
+}
+
+PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell) const
+{
+  if (rays_)
+    return Sampling({.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed})(*rays_, cell);
+  if (arguments_.arithmetic == "rational") return run_strong_occlusion<Rational>(arguments_, scene_, cell);
+  if (arguments_.arithmetic == "double") return run_strong_occlusion<Double>(arguments_, scene_, cell);
+  return run_strong_occlusion<Filtered>(arguments_, scene_, cell);
 }
 
 }  // namespace visibility::commands

@@ -1,11 +1,13 @@
 #pragma once
 
+#include "visibility/evidence/ray_scene.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +33,19 @@ struct MethodArguments {
   void validate() const;
   /// The options that matter to the method, as text for the result file.
   std::map<std::string, std::string> options() const;
-  PotentiallyVisibleSet run(PreparedScene const& scene, ViewCell const& cell) const;
+};
+
+/// The method of the command line, ready for any number of cells of one scene. May be called from several threads.
+class MethodRunner {
+public:
+  /// Requires: validated arguments; keeps a reference to the scene. Builds what the method shares between cells.
+  MethodRunner(MethodArguments arguments, PreparedScene const& scene);
+  PotentiallyVisibleSet operator()(ViewCell const& cell) const;
+
+private:
+  MethodArguments arguments_;
+  PreparedScene const& scene_;
+  std::optional<RayScene> rays_;
 };
 
 /// Every method applies to every scene so far: each takes boxes, prisms, polyhedra, balls and triangles.

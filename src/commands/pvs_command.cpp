@@ -13,6 +13,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <oneapi/tbb/parallel_for.h>
 
+#include <algorithm>
 #include <chrono>
 #include <iomanip>
 #include <iostream>
@@ -81,6 +82,7 @@ void run(Arguments const& a)
   double const read = seconds_since(start);
   start = std::chrono::steady_clock::now();
   PreparedScene const prepared(scene);
+  MethodRunner const method(a.method, prepared);
   double const build = seconds_since(start);
 
   unsigned const threads = a.threads != 0 ? a.threads : std::max(1U, std::thread::hardware_concurrency());
@@ -91,7 +93,7 @@ void run(Arguments const& a)
     Progress progress("cells", cells.size());
     oneapi::tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
       auto const query_start = std::chrono::steady_clock::now();
-      auto const set = a.method.run(prepared, cells[i]);
+      auto const set = method(cells[i]);
       double const query = seconds_since(query_start);
       results[i] = make_result(a, prepared, cells[i], set);
       results[i].seconds = {read, build, query};
