@@ -60,12 +60,13 @@ void make_district(Parameters const& p, SceneBuilder& scene)
   double const period = 2 * axis(rings - 1) + axis.lot + street;
   std::int64_t columns = 1;
   while (static_cast<std::uint64_t>(columns * columns) < copies) ++columns;
+  std::int64_t const rows = (static_cast<std::int64_t>(copies) + columns - 1) / columns;
   auto const turn = direction(p.number("rotation"));
 
   for (std::uint64_t copy = 0; copy < copies; ++copy) {
     auto const c = static_cast<std::int64_t>(copy);
     double const shift_x = static_cast<double>(c % columns - columns / 2) * period;
-    double const shift_y = static_cast<double>(c / columns - columns / 2) * period;
+    double const shift_y = static_cast<double>(c / columns - rows / 2) * period;
     for (std::uint64_t i = 0; i < n; ++i) {
       Random random(p.seed(), "house", i), facade(p.seed(), "windows", i);
       auto house = draw_house(random, axis.lot, low, high, recess);

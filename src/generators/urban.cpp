@@ -201,7 +201,7 @@ Kind urban()
   return {{"urban",
            "turned buildings of H, T and plain plan with floors and parking decks along avenues (Leyvand et al. 2003, "
            "section 6)",
-           "urban,n=170000",
+           "urban,n=120350",
            {seed(), integer("n", 2000, 1, 10'000'000, "buildings"),
             number("density", 0.8, 0.01, 1, "share of the lots that are built on"),
             number("regularity", 0.5, 0, 1, "1: buildings stand in the middle of their lots, 0: anywhere that fits"),
