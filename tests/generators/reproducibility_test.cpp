@@ -21,7 +21,7 @@ Sample const samples[] = {
   {"spheres", {{"n", 4}}, 0x593D17E91FD63007},
   {"circles", {{"n", 5}}, 0x96CFEFD85708AB84},
   {"slanted", {{"n", 30}}, 0x3DA93AE941FC3FBC},
-  {"urban", {{"n", 60}, {"block", 1}, {"blocks", 2}}, 0xB47A427B94258F62},
+  {"urban", {{"n", 60}, {"block", 1}, {"blocks", 2}}, 0xDDD68BAA9214887E},
   {"box-field", {{"n", 100}}, 0x0E9B2C13EE4FC73F},
   {"forest", {{"n", 5}, {"leaves", 50}}, 0xE6B7723BC7763205},
   {"district", {{"n", 9}, {"block", 1}}, 0x9D1F8FA40736220D},
