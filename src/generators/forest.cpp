@@ -83,9 +83,10 @@ void make_forest(Parameters const& p, SceneBuilder& scene)
     Random random(p.seed(), "tree", i);
     auto const site = ring_site(i + free_sites);
     double const scale = random.uniform(0.75, 1.25), half_crown = 0.35 * height * scale;
-    Crown const crown{{(static_cast<double>(site.i) + 0.5) * spacing + random.around(slack),
-                       (static_cast<double>(site.j) + 0.5) * spacing + random.around(slack), height * scale - half_crown},
-                      radius * scale, half_crown};
+    Point3d const centre{(static_cast<double>(site.i) + 0.5) * spacing + random.around(slack),
+                         (static_cast<double>(site.j) + 0.5) * spacing + random.around(slack),
+                         height * scale - half_crown};
+    Crown const crown{centre, radius * scale, half_crown};
     scene.begin_object("tree " + std::to_string(i + 1));
     Random foliage(p.seed(), "foliage", i);
     for (std::uint64_t k = 0; k < leaves; ++k) add_leaf(scene, foliage, crown, leaf);

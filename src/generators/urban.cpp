@@ -129,7 +129,8 @@ public:
     p.require(least_ <= most_, "small must not exceed large");
     p.require(floors_least() <= floors_most(), "low must not exceed high");
     p.require(p.number("h") + p.number("t") <= 1, "h and t are shares of all buildings: together at most 1");
-    p.require(axis_.lot >= diagonal * most_, "lot must be at least sqrt(2) times large, or turned buildings would overlap");
+    p.require(axis_.lot >= diagonal * most_,
+              "lot must be at least sqrt(2) times large, or turned buildings would overlap");
     p.require(static_cast<double>(p.integer("n")) * (36.0 * floors_most() + 180.0 * deck_most()) < 3e9,
               "n buildings so high may be over 3 * 10^9 triangles");
   }
@@ -168,7 +169,10 @@ private:
     double const slack = (1 - p_.number("regularity")) * (axis_.lot - diagonal * most_) / 2;
     b.centre = {axis_(site.i) + place.around(slack), axis_(site.j) + place.around(slack)};
     b.turn = direction(place.around(p_.number("rotation")));
-    if (double const most = p_.number("tilt"); most > 0) lean(b, place.around(most), place.around(most), length, width);
+    if (double const most = p_.number("tilt"); most > 0) {
+      double const x = place.around(most), y = place.around(most);  // in this order, unlike arguments of a call
+      lean(b, x, y, length, width);
+    }
     return b;
   }
 

@@ -49,7 +49,8 @@ TEST_CASE("box field: any orientation is as likely as another", "[generators]")
 
 TEST_CASE("box field: the cleared column and the ground are free", "[generators]")
 {
-  auto const specification = GENERATE("box-field,n=2000", "box-field,n=3,density=10,clear=1000", "box-field,n=500,clear=0");
+  auto const specification =
+    GENERATE("box-field,n=2000", "box-field,n=3,density=10,clear=1000", "box-field,n=500,clear=0");
   CAPTURE(specification);
   auto const scene = generate(specification);
   double const clear = std::string(specification).find("1000") != std::string::npos ? 1000

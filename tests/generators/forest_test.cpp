@@ -28,7 +28,8 @@ TEST_CASE("forest: leaves lie inside the crown and have the size promised", "[ge
     for (auto i = o.triangles.first; i < o.triangles.last - 20; ++i) {
       auto const leaf = scene.triangle(i).vertices;
       for (std::size_t k = 0; k < 3; ++k) {
-        double const x = (leaf[k].x - c.x) / radius, y = (leaf[k].y - c.y) / radius, z = (leaf[k].z - c.z) / half_height;
+        double const x = (leaf[k].x - c.x) / radius, y = (leaf[k].y - c.y) / radius;
+        double const z = (leaf[k].z - c.z) / half_height;
         outermost = std::max(outermost, x * x + y * y + z * z);
         auto const& next = leaf[(k + 1) % 3];
         double const dx = next.x - leaf[k].x, dy = next.y - leaf[k].y, dz = next.z - leaf[k].z;

@@ -89,7 +89,8 @@ TEST_CASE("sites: rings fill squares, each site once", "[generators]")
     auto const s = generators::ring_site(i);
     REQUIRE(seen.emplace(s.i, s.j).second);
     auto const ring = std::max(std::max(s.i, -1 - s.i), std::max(s.j, -1 - s.j));
-    REQUIRE((4 * ring * ring <= static_cast<std::int64_t>(i) && static_cast<std::int64_t>(i) < 4 * (ring + 1) * (ring + 1)));
+    auto const index = static_cast<std::int64_t>(i);
+    REQUIRE((4 * ring * ring <= index && index < 4 * (ring + 1) * (ring + 1)));
   }
 }
 

@@ -64,6 +64,11 @@ TEST_CASE("reproducible: a specification gives the same scene on every machine",
     CHECK(fingerprint(scene) == sample.fingerprint);
     REQUIRE(fingerprint(generate(specification(sample.kind, sample.values))) == fingerprint(scene));
   }
+  // Code that the samples do not reach.
+  CHECK(fingerprint(generate("urban,n=20,tilt=30")) == 0xD1E43DC742E079FF);
+  CHECK(fingerprint(generate("district,n=4,rotation=33")) == 0x9C818008EAFFC80B);
+  CHECK(fingerprint(generate("forest,n=4,leaves=5,trunk=1")) == 0x211A105015255EA1);
+  CHECK(fingerprint(generate("city,n=40,triples=0.5")) == 0xC8B3FCC94D76130A);
 }
 
 TEST_CASE("reproducible: every parameter changes the scene", "[generators]")

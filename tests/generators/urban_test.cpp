@@ -28,8 +28,8 @@ TEST_CASE("urban: the triangles of each shape", "[generators]")
 
 TEST_CASE("urban: every floor, slab and column is a convex solid", "[generators]")
 {
-  auto const specification = GENERATE("urban,n=30", "urban,n=30,h=1,t=0,decks=1", "urban,n=30,t=1,h=0,decks=1,ledge=0.4",
-                                      "urban,n=30,tilt=30,decks=1");
+  auto const specification = GENERATE("urban,n=30", "urban,n=30,h=1,t=0,decks=1",
+                                      "urban,n=30,t=1,h=0,decks=1,ledge=0.4", "urban,n=30,tilt=30,decks=1");
   CAPTURE(specification);
   auto const scene = generate(specification);
   scene.validate();
