@@ -26,7 +26,7 @@ void make_box_field(Parameters const& p, SceneBuilder& scene)
   p.require(height >= 2 * reach, "height must be at least sqrt(3) times large, or a turned box may not fit");
   double const mean = (small + large) / 2, volume = mean * mean * mean * static_cast<double>(n) / p.number("density");
   double const hole = p.number("clear") + reach;
-  // The cleared column comes on top of the volume; a rim of 10 % about it leaves room for the few boxes of a tiny field.
+  // The cleared column comes on top of the volume; a rim of 10 % about it leaves room for the boxes of a tiny field.
   double const half = std::max(std::sqrt(volume / height + 4 * hole * hole) / 2, 1.1 * hole);
 
   for (std::uint64_t i = 0; i < n; ++i) {

@@ -9,7 +9,8 @@ namespace {
 
 using generators::Kind;
 
-constexpr std::array makers{generators::city, generators::spheres, generators::circles, generators::box_field};
+constexpr std::array makers{generators::city,  generators::spheres,   generators::circles, generators::slanted,
+                            generators::urban, generators::box_field, generators::forest,  generators::district};
 
 }  // namespace
 

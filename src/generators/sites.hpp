@@ -29,4 +29,19 @@ inline Site ring_site(std::uint64_t index)
   }
 }
 
+/// Middle of lot i along one axis of a town: an avenue about 0, lots in blocks, between blocks a street or, every so
+/// many blocks, another avenue. Symmetric about 0; lot 0 is the first on the positive side.
+struct TownAxis {
+  double lot, street, avenue;  ///< widths, m
+  std::int64_t block, blocks;  ///< lots to a block; blocks between avenues, 0: no avenue but the one in the middle
+
+  double operator()(std::int64_t i) const
+  {
+    if (i < 0) return -(*this)(-1 - i);
+    std::int64_t const gaps = i / block, avenues = blocks == 0 ? 0 : gaps / blocks;
+    return (static_cast<double>(avenues) + 0.5) * avenue + static_cast<double>(gaps - avenues) * street +
+           (static_cast<double>(i) + 0.5) * lot;
+  }
+};
+
 }  // namespace visibility::generators

@@ -53,9 +53,20 @@ TEST_CASE("specification: what cannot be made is refused in one line that says w
     {"city,seed=9007199254740994", "is not valid"},
     {"city,triples=1.5", "triples=1.5 is not valid; it takes a number from 0 to 1"},
     {"city,low=5,high=4", "low must not exceed high"},
-    {"spheres,radius=100", "spacing must be at least twice the radius"},
+    {"spheres,radius=101", "spacing must be at least twice the radius"},
     {"box-field,n=1,height=17", "height must be at least"},
     {"box-field,n=1,small=11", "small must not exceed large"},
+    {"slanted,radius=9", "radius must not exceed half the pitch"},
+    {"slanted,low=9", "low must not exceed high"},
+    {"urban,lot=16", "lot must be at least sqrt(2) times large"},
+    {"urban,small=13", "small must not exceed large"},
+    {"urban,low=21", "low must not exceed high"},
+    {"urban,h=0.6,t=0.6", "shares of all buildings"},
+    {"urban,n=10000000,high=1000", "over 3 * 10^9 triangles"},
+    {"forest,n=1000000,leaves=100000", "over 10^9 triangles"},
+    {"forest,leaf=1", "leaf must not exceed"},
+    {"district,low=9", "low must not exceed high"},
+    {"district,n=100000,copies=10000", "over 3 * 10^9 triangles"},
   }));
   CAPTURE(c.specification);
   auto const message = complaint(c.specification);
