@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <tuple>
 
 namespace visibility::detail {
 
@@ -16,34 +18,40 @@ namespace {
 using Index = std::uint32_t;
 using Triple = std::array<Index, 3>;
 
-/// The triangles over welded vertices; degenerate ones are left out.
-struct Welded {
+/// What counts as one vertex.
+enum class Identity { index, position };
+
+/// Triangles over vertices of their own; degenerate ones are left out.
+struct Mesh {
   std::vector<Point3d> vertices;
   std::vector<Triple> facets;
   std::vector<Index> origin;  ///< position in scene.triangles
 };
 
-Welded weld(Scene const& scene, IndexRange range)
+Mesh extract(Scene const& scene, std::vector<Index> const& triangles, Identity identity)
 {
-  Welded w;
-  for (auto i = range.first; i < range.last; ++i)
-    for (auto const v : scene.triangles[i]) w.vertices.push_back(scene.vertices[v]);
-  auto const less = [](Point3d const& a, Point3d const& b) {
-    return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+  auto const less = [&](Index a, Index b) {
+    if (identity == Identity::index) return a < b;
+    Point3d const &p = scene.vertices[a], &q = scene.vertices[b];
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   };
-  std::ranges::sort(w.vertices, less);
-  w.vertices.erase(std::unique(w.vertices.begin(), w.vertices.end()), w.vertices.end());
-  auto const find = [&](Point3d const& p) {
-    return static_cast<Index>(std::ranges::lower_bound(w.vertices, p, less) - w.vertices.begin());
-  };
-  for (auto i = range.first; i < range.last; ++i) {
-    auto const& t = scene.triangles[i];
-    Triple const f{find(scene.vertices[t[0]]), find(scene.vertices[t[1]]), find(scene.vertices[t[2]])};
+  std::vector<Index> used;
+  for (auto const i : triangles) used.insert(used.end(), scene.triangles[i].begin(), scene.triangles[i].end());
+  std::ranges::sort(used, less);
+  auto const same = [&](Index a, Index b) { return !less(a, b) && !less(b, a); };
+  used.erase(std::unique(used.begin(), used.end(), same), used.end());
+  Mesh mesh;
+  for (auto const v : used) mesh.vertices.push_back(scene.vertices[v]);
+  for (auto const i : triangles) {
+    Triple f{};
+    std::ranges::transform(scene.triangles[i], f.begin(), [&](Index v) {
+      return static_cast<Index>(std::ranges::lower_bound(used, v, less) - used.begin());
+    });
     if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0]) continue;
-    w.facets.push_back(f);
-    w.origin.push_back(i);
+    mesh.facets.push_back(f);
+    mesh.origin.push_back(i);
   }
-  return w;
+  return mesh;
 }
 
 /// Component of each facet: facets that share an edge are in one.
@@ -105,30 +113,44 @@ std::vector<ConvexPolyhedron> as_convex(std::vector<Point3d> const& all, std::sp
   }
 }
 
-}  // namespace
-
-MeshPieces mesh_pieces(Scene const& scene, IndexRange range)
+/// Moves the convex components of these triangles to `convex`; returns the triangles that belong to none, ascending.
+std::vector<Index> take_convex(Scene const& scene, std::vector<Index> const& triangles, Identity identity,
+                               std::vector<ConvexPolyhedron>& convex)
 {
-  MeshPieces out;
-  Welded const mesh = weld(scene, range);
+  Mesh const mesh = extract(scene, triangles, identity);
   auto const component = components(mesh.facets);
   std::vector<Index> order(mesh.facets.size());
   std::iota(order.begin(), order.end(), Index{0});
   std::ranges::stable_sort(order, {}, [&](Index f) { return component[f]; });
-  std::vector<bool> solid(scene.triangles.empty() ? 0 : range.size(), false);
+  std::vector<Index> solid;
   for (std::size_t first = 0; first < order.size();) {
     std::size_t last = first;
     std::vector<Triple> facets;
     for (; last < order.size() && component[order[last]] == component[order[first]]; ++last)
       facets.push_back(mesh.facets[order[last]]);
     if (auto piece = as_convex(mesh.vertices, facets); !piece.empty()) {
-      out.convex.push_back(std::move(piece.front()));
-      for (; first < last; ++first) solid[mesh.origin[order[first]] - range.first] = true;
+      convex.push_back(std::move(piece.front()));
+      for (auto i = first; i < last; ++i) solid.push_back(mesh.origin[order[i]]);
     }
     first = last;
   }
-  for (auto i = range.first; i < range.last; ++i)
-    if (!solid[i - range.first]) out.loose.push_back(i);
+  std::ranges::sort(solid);
+  std::vector<Index> loose;
+  std::ranges::set_difference(triangles, solid, std::back_inserter(loose));
+  return loose;
+}
+
+}  // namespace
+
+MeshPieces mesh_pieces(Scene const& scene, IndexRange range)
+{
+  MeshPieces out;
+  out.loose.resize(range.size());
+  std::iota(out.loose.begin(), out.loose.end(), range.first);
+  // By index first: solids that touch along an edge have distinct vertices there. Then by position: files often give
+  // each face its own vertices.
+  out.loose = take_convex(scene, out.loose, Identity::index, out.convex);
+  if (!out.loose.empty()) out.loose = take_convex(scene, out.loose, Identity::position, out.convex);
   return out;
 }
 

@@ -59,6 +59,28 @@ TEST_CASE("convex bodies: two closed boxes in one mesh are two solids, next to l
   REQUIRE(kinds(builder.finish()) == std::vector<Kind>{Kind::polyhedron, Kind::polyhedron, Kind::triangle});
 }
 
+TEST_CASE("convex bodies: flush solids in one mesh stay two solids", "[scene][degenerate]")
+{
+  // They share a face, and so the coordinates of four corners, but no vertex.
+  SceneBuilder builder("test");
+  add_mesh(builder, ConvexPolyhedron::from_box({{0, 0, 0}, {1, 1, 1}}));
+  add_mesh(builder, ConvexPolyhedron::from_box({{0, 0, 1}, {1, 1, 2}}));
+  REQUIRE(kinds(builder.finish()) == std::vector<Kind>{Kind::polyhedron, Kind::polyhedron});
+}
+
+TEST_CASE("convex bodies: a mesh whose faces have vertices of their own is welded", "[scene]")
+{
+  SceneBuilder builder("test");
+  auto const box = ConvexPolyhedron::from_box({{0, 0, 0}, {1, 1, 1}});
+  for (auto const& f : box.facets) {
+    auto const a = builder.add_vertex(box.vertices[f.vertices[0]]);
+    builder.add_vertex(box.vertices[f.vertices[1]]);
+    builder.add_vertex(box.vertices[f.vertices[2]]);
+    builder.add_triangle(a, a + 1, a + 2);
+  }
+  REQUIRE(kinds(builder.finish()) == std::vector<Kind>{Kind::polyhedron});
+}
+
 TEST_CASE("convex bodies: a prism whose footprint is no polygon is seen but does not occlude", "[scene][degenerate]")
 {
   SceneBuilder builder("test");
