@@ -12,7 +12,7 @@ template <class NT>
 struct Point2 {
   using Number = NT;
   NT x, y;
-  friend constexpr bool operator==(Point2 const&, Point2 const&) = default;
+  friend bool operator==(Point2 const&, Point2 const&) = default;
 };
 
 /// A point of space; z is up. Aggregate: `Point3d{x, y, z}`.
@@ -20,7 +20,7 @@ template <class NT>
 struct Point3 {
   using Number = NT;
   NT x, y, z;
-  friend constexpr bool operator==(Point3 const&, Point3 const&) = default;
+  friend bool operator==(Point3 const&, Point3 const&) = default;
 };
 
 using Point2d = Point2<double>;        ///< input point: the doubles are exact
