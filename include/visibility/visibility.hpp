@@ -1,0 +1,4 @@
+#pragma once
+
+/// All of the library. Floors from the bottom: kernel, predicates, geometry, scene, evidence, methods.
+
