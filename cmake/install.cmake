@@ -6,7 +6,7 @@ configure_package_config_file(cmake/visibilityConfig.cmake.in "${PROJECT_BINARY_
   INSTALL_DESTINATION "${visibility_package_dir}")
 write_basic_package_version_file("${PROJECT_BINARY_DIR}/visibilityConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(FILES "${PROJECT_BINARY_DIR}/visibilityConfig.cmake" "${PROJECT_BINARY_DIR}/visibilityConfigVersion.cmake"
-  cmake/EmbreeAny.cmake DESTINATION "${visibility_package_dir}")
+  DESTINATION "${visibility_package_dir}")
 if(VISIBILITY_BUILD_COMMAND)
   install(TARGETS visibility_command)
 endif()

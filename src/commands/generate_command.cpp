@@ -46,7 +46,7 @@ void add_generate(CLI::App& app)
     std::string specification = a->kind;
     for (auto const& p : a->parameters) specification += "," + p;
     Scene const scene = generate(specification);
-    write_scene(scene, a->output);
+    write_scene(a->output, scene);
     std::cout << a->output << ": " << scene.objects.size() << " objects, " << scene.primitive_count() << " primitives\n";
   });
 }
