@@ -75,6 +75,7 @@ TEST_CASE("geojson: names are ids, then usual properties, then positions", "[rea
 {
   std::string const lines = "\x1e" + feature(R"("h":1,"ID":"no")", "[0,0],[100,0],[0,9]", R"("id":1034833,)") + "\n\x1e" + feature(R"("h":1,"ID":"B7")") +
                             "\n" + feature(R"("h":1,"name":"Hall","bldg":"x")") + "\r\n\n" + feature(R"("h":1)") + feature(R"("h":1,"ID":"B7")");
+  CHECK(names(read_json(feature(R"("h":1)", "[0,0],[100,0],[0,9]", R"("id":100000,)"))) == Names{"100000"});
   CHECK(names(read_json(lines)) == Names{"1034833", "B7", "Hall", "feature 4", "B7#2"});
 }
 

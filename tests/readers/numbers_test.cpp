@@ -25,6 +25,14 @@ TEST_CASE("numbers: shortest decimals read back as the same bits", "[readers][la
   }
 }
 
+TEST_CASE("numbers: whole numbers are written in full", "[readers]")
+{
+  CHECK(shortest(100000) == "100000");
+  CHECK(shortest(-9007199254740992.0) == "-9007199254740992");
+  CHECK(shortest(0.1) == "0.1");
+  CHECK(shortest(-0.0) == "-0.0");
+}
+
 TEST_CASE("numbers: overflow is infinite, underflow zero, whatever the spelling", "[readers]")
 {
   auto const nines = std::string(400, '9');
