@@ -114,7 +114,7 @@ TEST_CASE("round trip: GeoJSON gives back prisms bit for bit", "[readers][law]")
     for (int i = random.between(1, 4); i > 0; --i) {
       builder.begin_object("p" + std::to_string(i));
       Prism p = random_prism(random);
-      if (p.rings[0][0].x == p.rings[0][1].x) continue;  // beyond 2^53 the square is a line, which a reader shortens
+      if (std::fabs(p.rings[0][0].x) > 1e12) continue;  // far out points of a small square fall together, and a reader drops repeats
       if (p.top < 0) p.bottom = 0, p.top = -p.top;
       builder.add(p);
     }
