@@ -62,6 +62,8 @@ std::string shortest(double value)
 {
   if (value == 0) return std::signbit(value) ? "-0.0" : "0";
   char buffer[32];
+  // A whole number reads better as one: 100000, not 1e+05. Names are made of them.
+  if (std::fabs(value) <= 0x1p53 && value == std::floor(value)) return std::to_string(static_cast<long long>(value));
   auto const r = std::to_chars(buffer, buffer + sizeof buffer, value);
   return {buffer, r.ptr};
 }

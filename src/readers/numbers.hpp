@@ -14,7 +14,8 @@ std::optional<double> take_double(std::string_view& text);
 /// The same for a text that is a number from end to end.
 std::optional<double> parse_double(std::string_view text);
 
-/// The shortest decimal that reads back as the same double; "-0.0" keeps its sign. Requires: finite.
+/// A decimal that reads back as the same double: whole numbers up to 2^53 in full, else the shortest; "-0.0" keeps its
+/// sign. Requires: finite.
 std::string shortest(double value);
 
 }  // namespace visibility::readers

@@ -102,6 +102,7 @@ bool toggle_along(Cdt const& cdt, Vertex a, Vertex b, EdgeParity& parity)
 /// Says for each face whether it is inside by the even-odd rule.
 void mark_sides(Cdt& cdt, EdgeParity const& parity)
 {
+  for (auto const f : cdt.all_face_handles()) f->info() = Side::unknown;  // CGAL leaves it uninitialised
   std::vector<Cdt::Face_handle> stack{cdt.infinite_face()};
   cdt.infinite_face()->info() = Side::outside;
   while (!stack.empty()) {
