@@ -3,6 +3,7 @@
 #include "visibility/kernel/sign.hpp"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <concepts>
 
@@ -12,8 +13,14 @@
 /// the value v, a magnitude m, while the type counts roundings: an expression of type with parameter K satisfies
 ///     |v - t| <= ((1 + u)^K - 1) m   and   |v| <= m,      t the exact value, u = 2^-53,
 /// for all finite inputs, underflow included; after an overflow m is infinite or NaN and nothing is certified.
+/// Requires: IEEE double, round to nearest, gradual underflow, no contraction (the build sees to all of these).
 /// Proof: proofs/filters.md (Theorem 1); tests/proofs/bounds_test.cpp recomputes the constants.
 namespace visibility::bounded {
+
+static_assert(FLT_EVAL_METHOD == 0, "double arithmetic must round to double: on x86-32 compile with -msse2 -mfpmath=sse");
+#ifdef __FAST_MATH__
+#error "the error bounds do not hold under -ffast-math"
+#endif
 
 inline constexpr double u = 0x1p-53;             ///< unit roundoff, round to nearest
 inline constexpr double underflow_guard = 0x1p-960;  ///< swallows the absolute error of underflowing products
