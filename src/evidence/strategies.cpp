@@ -64,16 +64,19 @@ std::uint32_t Planner::some_unfound(Random& random) const
 
 std::optional<std::uint32_t> Planner::neighbour(Random& random, std::uint32_t object, bool wanted) const
 {
-  Box box = scene_.object_bounds()[object];
-  double const grow = objects_.size(object) * random.log_uniform(0.02, 4);
-  box = {{box.min.x - grow, box.min.y - grow, box.min.z - grow}, {box.max.x + grow, box.max.y + grow, box.max.z + grow}};
+  // Whatever meets a small box somewhere around the object: cheap, and no side is preferred.
+  Box const& own = scene_.object_bounds()[object];
+  double const grow = objects_.size(object) * random.log_uniform(0.02, 4), half = 0.25 * grow;
+  Point3d const c{random.uniform(own.min.x - grow, own.max.x + grow), random.uniform(own.min.y - grow, own.max.y + grow),
+                  random.uniform(own.min.z - grow, own.max.z + grow)};
+  Box const box{{c.x - half, c.y - half, c.z - half}, {c.x + half, c.y + half, c.z + half}};
   std::uint32_t seen = 0, chosen = 0;
   int visits = 0;
   scene_.object_hierarchy().any_meeting(box, [&](std::uint32_t other) {
-    if (other != object && (!wanted || knowledge_.wanted[other] != 0) &&
-        meet(scene_.object_bounds()[other], box) && random.below(++seen) == 0)
+    if (other != object && (!wanted || knowledge_.wanted[other] != 0) && meet(scene_.object_bounds()[other], box) &&
+        random.below(++seen) == 0)
       chosen = other;
-    return seen >= 32 || ++visits >= 256;
+    return ++visits >= 64;
   });
   return seen > 0 ? std::optional(chosen) : std::nullopt;
 }
