@@ -23,9 +23,9 @@ std::string broken_invariant(ConvexPolyhedron const& p)
 {
   if (p.facets.size() < 4) return "fewer than four facets";
   if (p.vertices.size() + p.facets.size() != p.edges.size() + 2) return "not a closed surface of genus 0";
-  std::vector<int> uses(p.edges.size(), 0);
+  std::vector<std::array<int, 2>> uses(p.edges.size());  // forward, reversed
   for (auto const& f : p.facets) {
-    for (auto const e : f.edges) ++uses[static_cast<std::size_t>(e >= 0 ? e : ~e)];
+    for (auto const e : f.edges) ++uses[static_cast<std::size_t>(e >= 0 ? e : ~e)][e >= 0 ? 0 : 1];
     auto const& [a, b, c] = f.vertices;
     bool has_inner = false;
     for (auto const& v : p.vertices) {
@@ -35,7 +35,9 @@ std::string broken_invariant(ConvexPolyhedron const& p)
     }
     if (!has_inner) return "a facet without area, or all vertices in one plane";
   }
-  if (!std::ranges::all_of(uses, [](int n) { return n == 2; })) return "an edge that does not bound two facets";
+  // Once in each direction: then the facets are a cycle, and as all of them face outward they cover the whole hull.
+  if (!std::ranges::all_of(uses, [](auto const& n) { return n[0] == 1 && n[1] == 1; }))
+    return "an edge that does not bound two facets, once in each direction";
   return {};
 }
 

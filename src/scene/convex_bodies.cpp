@@ -53,6 +53,11 @@ std::span<ConvexBodies::Body const> ConvexBodies::bodies_of(std::uint32_t object
   return bodies().subspan(first_body_[object], first_body_[object + 1] - first_body_[object]);
 }
 
+std::span<Box const> ConvexBodies::bounds_of(std::uint32_t object) const
+{
+  return bounds().subspan(first_body_[object], first_body_[object + 1] - first_body_[object]);
+}
+
 void ConvexBodies::append_vertices(Body const& b, std::vector<Point3d>& out) const
 {
   auto const corners = [&](Box const& x) {

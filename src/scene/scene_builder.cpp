@@ -6,6 +6,37 @@
 
 namespace visibility {
 
+namespace {
+
+/// Length of the UTF-8 sequence at the start of s, 0 if it is malformed or a control character.
+std::size_t printable_sequence(std::string_view s)
+{
+  auto const byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
+  std::size_t const n = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 ? 0 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : byte(0) < 0xF5 ? 4 : 0;
+  if (n == 1) return byte(0) >= 0x20 && byte(0) != 0x7F ? 1 : 0;
+  if (n == 0 || n > s.size()) return 0;
+  for (std::size_t i = 1; i < n; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  bool const overlong = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xF0 && byte(1) < 0x90);
+  bool const outside = (byte(0) == 0xED && byte(1) > 0x9F) || (byte(0) == 0xF4 && byte(1) > 0x8F);
+  return overlong || outside ? 0 : n;
+}
+
+/// The name with what cannot stand in a JSON string or on one line replaced by '?'.
+std::string printable(std::string_view name)
+{
+  std::string out;
+  while (!name.empty()) {
+    std::size_t const n = printable_sequence(name);
+    if (n == 0) out += '?';
+    else out += name.substr(0, n);
+    name.remove_prefix(n == 0 ? 1 : n);
+  }
+  return out;
+}
+
+}  // namespace
+
 SceneBuilder::SceneBuilder(std::string source) { scene_.source = std::move(source); }
 
 void SceneBuilder::fail(std::string const& what) const
@@ -20,10 +51,10 @@ Object& SceneBuilder::current()
   return scene_.objects.back();
 }
 
-void SceneBuilder::begin_object(std::string name)
+void SceneBuilder::begin_object(std::string_view name)
 {
   Object o;
-  o.name = std::move(name);
+  o.name = printable(name);
   auto const at = [](auto const& array) {
     auto const n = static_cast<std::uint32_t>(array.size());
     return IndexRange{n, n};

@@ -6,6 +6,7 @@
 #include "visibility/kernel/structural_zero.hpp"
 
 #include <cmath>
+#include <concepts>
 
 /// The layers that decide the sign of a formula: a callable `f(x...)` over any number type, a polynomial of degree at
 /// most `max_degree` in its arguments, built from +, - and * only. No layer ever returns a wrong sign.
@@ -13,11 +14,20 @@ namespace visibility::layers {
 
 inline constexpr int max_degree = 6;
 
-/// Error bound proved by type (kernel/bounded.hpp), then zeros that need no arithmetic (kernel/structural_zero.hpp).
+/// A formula that knows input on which it vanishes whatever the numbers are (two equal points), and says so.
+template <class Formula, class... X>
+concept KnowsZeros = requires(X... x) {
+  { Formula::vanishes(x...) } -> std::same_as<bool>;
+};
+
+/// Error bound proved by type (kernel/bounded.hpp), then zeros that need no arithmetic: those that the formula knows,
+/// and those that the pattern of zero differences proves (kernel/structural_zero.hpp).
 template <class Formula, class... X>
 MaybeSign filter(Formula const& f, X... x)
 {
   if (auto const s = bounded::certified_sign(f(bounded::Input{x}...))) return s;
+  if constexpr (KnowsZeros<Formula, X...>)
+    if (Formula::vanishes(x...)) return Sign::zero;
   StructuralZero const pattern = f(StructuralInput{x}...);
   return pattern.zero ? MaybeSign{Sign::zero} : MaybeSign{};
 }

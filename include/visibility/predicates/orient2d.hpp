@@ -12,6 +12,8 @@ struct Orient2dFormula {
   {
     return (px - rx) * (qy - ry) - (py - ry) * (qx - rx);
   }
+  /// Two equal points (with r they show as zero differences).
+  static bool vanishes(double px, double py, double qx, double qy, double, double) { return px == qx && py == qy; }
 };
 }  // namespace detail
 

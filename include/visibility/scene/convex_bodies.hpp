@@ -33,6 +33,7 @@ public:
   std::span<Body const> bodies() const { return bodies_; }                 ///< in object order
   std::span<Body const> bodies_of(std::uint32_t object) const;
   std::span<Box const> bounds() const { return bounds_; }                  ///< one per body, outward
+  std::span<Box const> bounds_of(std::uint32_t object) const;
   std::size_t invalid_footprints() const { return invalid_footprints_; }  ///< occludees only
 
   Box const& box(Body const& b) const { return b.occludes ? scene_->boxes[b.index] : stand_ins_[b.index]; }

@@ -5,6 +5,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 namespace visibility {
 
@@ -20,9 +21,9 @@ class SceneBuilder {
 public:
   explicit SceneBuilder(std::string source);
 
-  /// Starts an object. A name already taken gets "#2", "#3", ... appended; objects that receive no primitive are
-  /// dropped by `finish` and counted in a note.
-  void begin_object(std::string name);
+  /// Starts an object. A name already taken gets "#2", "#3", ... appended; bytes that are not UTF-8 and control
+  /// characters become '?'. Objects that receive no primitive are dropped by `finish` and counted in a note.
+  void begin_object(std::string_view name);
 
   void add(Box const& box);
   void add(Ball const& ball);
@@ -41,7 +42,6 @@ private:
   Object& current();
 
   Scene scene_;
-  std::vector<std::string> names_;  // as given; made unique by finish
 };
 
 }  // namespace visibility

@@ -1,0 +1,93 @@
+#include "commands.hpp"
+#include "scene_argument.hpp"
+
+#include "visibility/evidence/check.hpp"
+#include "visibility/scene/prepared_scene.hpp"
+#include "visibility/scene/result_file.hpp"
+#include "visibility/scene/scene_builder.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+namespace visibility::commands {
+
+namespace {
+
+struct Arguments {
+  SceneArgument scene;
+  std::string results;
+  CheckOptions options;
+  bool all = false;
+};
+
+std::string text(Point3q const& p)
+{
+  std::ostringstream out;
+  out << std::setprecision(17) << '(' << CGAL::to_double(p.x) << ", " << CGAL::to_double(p.y) << ", "
+      << CGAL::to_double(p.z) << ')';
+  return out.str();
+}
+
+void print_report(Scene const& scene, CheckReport const& report, std::size_t most)
+{
+  std::cout << "rays " << report.rays << " in " << std::fixed << std::setprecision(2) << report.seconds << " s, saw "
+            << report.objects_seen << " objects; " << report.rejected << " proposals refused by the exact test\n";
+  std::cout << "missing " << report.missing.size() << '\n';
+  std::size_t printed = 0;
+  for (auto const i : report.missing) {
+    if (printed++ == most) {
+      std::cout << "  ... and " << report.missing.size() - most << " more (--all lists them)\n";
+      break;
+    }
+    std::cout << "  " << scene.objects[i].name;
+    auto const w = std::ranges::find(report.witnesses, i, &Witness::object);
+    if (w == report.witnesses.end()) std::cout << ": meets the closed cell\n";
+    else std::cout << ": seen from " << text(w->from) << " at " << text(w->to) << '\n';
+  }
+  if (!report.unseen.empty())
+    std::cout << "members that no ray saw (information, no fault): " << report.unseen.size() << '\n';
+}
+
+void run(Arguments const& a, int& exit_code)
+{
+  auto const results = read_results(a.results);
+  Scene const scene = a.scene.load();
+  PreparedScene const prepared(scene);
+  RayScene const rays(prepared);
+  for (auto const& r : results) {
+    auto const members = objects_of(r, scene);
+    std::cout << "set     " << members.size() << " of " << scene.objects.size() << " objects, "
+              << (r.method.empty() ? "unnamed method" : r.method) << ", " << to_string(r.guarantee) << '\n';
+    auto const report = check(rays, cell_of(r), members, r.guarantee, a.options);
+    print_report(scene, report, a.all ? SIZE_MAX : 10);
+    if (report.fault) {
+      exit_code = 1;
+      std::cout << "FAULT: a " << to_string(r.guarantee) << " set lacks visible objects\n";
+    } else {
+      std::cout << "no fault found\n";
+    }
+  }
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, int& exit_code)
+{
+  auto const a = std::make_shared<Arguments>();
+  auto* const command = app.add_subcommand(
+    "check", "Hunt for visible objects that a set lacks; exit code 1 if a set that claims to hold all lacks one");
+  a->scene.add_to(*command);
+  command->add_option("PVS", a->results, "result file of any implementation")->required();
+  command->add_option("--rays", a->options.rays, "rays per cell (default 10000000)");
+  command->add_option("--seconds", a->options.seconds, "stop after this time (default 0: no limit)")
+    ->check(CLI::NonNegativeNumber);
+  command->add_option("--seed", a->options.seed, "seed (default 1)");
+  command->add_option("--threads", a->options.threads, "threads (default 0: all cores)")->check(CLI::NonNegativeNumber);
+  command->add_flag("--all", a->all, "list every missing object");
+  command->callback([a, &exit_code] { run(*a, exit_code); });
+}
+
+}  // namespace visibility::commands

@@ -1,0 +1,80 @@
+#include "methods.hpp"
+
+#include "visibility/methods/sampling/method.hpp"
+#include "visibility/methods/strong_occlusion/method.hpp"
+#include "visibility/scene/scene_builder.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace visibility::commands {
+
+namespace {
+
+template <Arithmetic A>
+PotentiallyVisibleSet run_strong_occlusion(MethodArguments const& a, PreparedScene const& scene, ViewCell const& cell)
+{
+  strong_occlusion::Options options;
+  options.granularity = strong_occlusion::granularity_from_string(a.granularity);
+  options.groups = !a.no_groups;
+  return StrongOcclusion<A>(options)(scene, cell);
+}
+
+void require_one_of(std::string const& option, std::string const& value, std::vector<std::string> const& valid)
+{
+  if (std::ranges::find(valid, value) != valid.end()) return;
+  std::string text = option + " '" + value + "' is not one of";
+  for (auto const& v : valid) text += (&v == &valid.front() ? " " : ", ") + v;
+  throw BadInput(text);
+}
+
+}  // namespace
+
+std::vector<std::string> method_names() { return {"strong-occlusion", "sampling"}; }
+
+void MethodArguments::add_to(CLI::App& command)
+{
+  command.add_option("--method", method, "strong-occlusion (default) or sampling");
+  command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
+  command.add_option("--granularity", granularity, "strong-occlusion: object, part or face (default)");
+  command.add_flag("--no-groups", no_groups, "strong-occlusion: test objects one by one");
+  command.add_option("--rays", rays, "sampling: rays to shoot (default 1000000)");
+  command.add_option("--seconds", seconds, "sampling: stop after this time (default 0: no limit)");
+  command.add_option("--seed", seed, "sampling: seed (default 1)");
+}
+
+void MethodArguments::validate() const
+{
+  require_one_of("--method", method, method_names());
+  require_one_of("--arithmetic", arithmetic, {"filtered", "rational", "double"});
+  require_one_of("--granularity", granularity, {"object", "part", "face"});
+  if (method == "sampling" && arithmetic != "filtered")
+    throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
+  if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
+}
+
+std::map<std::string, std::string> MethodArguments::options() const
+{
+  if (method == "sampling")
+    return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
+  return {{"granularity", granularity}, {"groups", no_groups ? "off" : "on"}};
+}
+
+MethodRunner::MethodRunner(MethodArguments arguments, PreparedScene const& scene)
+  : arguments_(std::move(arguments)), scene_(scene)
+{
+  if (arguments_.method == "sampling") rays_.emplace(scene);
+}
+
+PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell) const
+{
+  if (rays_)
+    return Sampling({.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed})(*rays_, cell);
+  if (arguments_.arithmetic == "rational") return run_strong_occlusion<Rational>(arguments_, scene_, cell);
+  if (arguments_.arithmetic == "double") return run_strong_occlusion<Double>(arguments_, scene_, cell);
+  return run_strong_occlusion<Filtered>(arguments_, scene_, cell);
+}
+
+}  // namespace visibility::commands

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "visibility/evidence/ray_scene.hpp"
+#include "visibility/scene/potentially_visible_set.hpp"
+#include "visibility/scene/prepared_scene.hpp"
+#include "visibility/scene/view_cell.hpp"
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace visibility::commands {
+
+/// Which method is to run, with what arithmetic and options: the part of the command line that `pvs` has beside the
+/// scene and the cells.
+struct MethodArguments {
+  std::string method = "strong-occlusion";
+  std::string arithmetic = "filtered";
+  std::string granularity = "face";
+  bool no_groups = false;
+  std::uint64_t rays = 1'000'000;
+  double seconds = 0;
+  std::uint64_t seed = 1;
+
+  void add_to(CLI::App& command);
+  /// Throws BadInput for a method, arithmetic or option value that does not exist.
+  void validate() const;
+  /// The options that matter to the method, as text for the result file.
+  std::map<std::string, std::string> options() const;
+};
+
+/// The method of the command line, ready for any number of cells of one scene. May be called from several threads.
+class MethodRunner {
+public:
+  /// Requires: validated arguments; keeps a reference to the scene. Builds what the method shares between cells.
+  MethodRunner(MethodArguments arguments, PreparedScene const& scene);
+  PotentiallyVisibleSet operator()(ViewCell const& cell) const;
+
+private:
+  MethodArguments arguments_;
+  PreparedScene const& scene_;
+  std::optional<RayScene> rays_;
+};
+
+/// Every method applies to every scene so far: each takes boxes, prisms, polyhedra, balls and triangles.
+std::vector<std::string> method_names();
+
+}  // namespace visibility::commands

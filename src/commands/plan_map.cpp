@@ -1,0 +1,59 @@
+#include "plan_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace visibility::commands {
+
+namespace {
+
+/// A grid of characters over a horizontal rectangle.
+class Canvas {
+public:
+  Canvas(Box const& bounds, int columns)
+    : bounds_(bounds), columns_(columns), step_(std::max((bounds.max.x - bounds.min.x) / columns, 1e-300))
+  {
+    double const rows = std::ceil((bounds.max.y - bounds.min.y) / (2 * step_));  // characters are twice as high as wide
+    rows_ = static_cast<int>(std::clamp(rows, 1.0, 200.0));
+    lines_.assign(static_cast<std::size_t>(rows_), std::string(static_cast<std::size_t>(columns), ' '));
+  }
+
+  void fill(Box const& b, char c)
+  {
+    int const x0 = index(b.min.x - bounds_.min.x, step_, columns_), x1 = index(b.max.x - bounds_.min.x, step_, columns_);
+    int const y0 = index(bounds_.max.y - b.max.y, 2 * step_, rows_), y1 = index(bounds_.max.y - b.min.y, 2 * step_, rows_);
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x) lines_[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = c;
+  }
+
+  std::string text() const
+  {
+    std::string out;
+    for (auto const& line : lines_) out += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
+    return out;
+  }
+
+private:
+  static int index(double offset, double step, int n) { return static_cast<int>(std::clamp(offset / step, 0.0, n - 1.0)); }
+
+  Box bounds_;
+  int columns_, rows_ = 1;
+  double step_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace
+
+std::string plan_map(PreparedScene const& scene, ViewCell const& cell, PotentiallyVisibleSet const& set, int columns)
+{
+  Box bounds = cell.bounds();
+  for (auto const& b : scene.object_bounds()) bounds.extend(b);
+  Canvas canvas(bounds, columns);
+  for (auto const& b : scene.object_bounds()) canvas.fill(b, '.');
+  for (auto const i : set.visible) canvas.fill(scene.object_bounds()[i], '#');
+  canvas.fill(cell.bounds(), 'C');
+  return canvas.text();
+}
+
+}  // namespace visibility::commands

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "visibility/scene/read_scene.hpp"
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace visibility::commands {
+
+/// The SCENE argument that most commands share: a file, or a generator written `gen:KIND,key=value,...`, with the
+/// options that say how a file is to be read.
+struct SceneArgument {
+  std::string scene;
+  ReadOptions options;
+
+  void add_to(CLI::App& command);
+  Scene load() const;  ///< throws BadInput
+};
+
+}  // namespace visibility::commands

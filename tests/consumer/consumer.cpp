@@ -1,0 +1,31 @@
+// What a project that uses the library writes; built against the install tree and by add_subdirectory.
+
+#include <visibility/visibility.hpp>
+
+#include <cstdio>
+
+namespace {
+
+/// One if the compiler fuses a * b - c, which would break the proofs of the floating-point filters.
+bool contracts()
+{
+  double volatile x = 1 + 0x1p-30, y = 1 + 0x1p-29;
+  double const a = x, b = y;
+  return a * a - b != 0;
+}
+
+}  // namespace
+
+int main()
+{
+  using namespace visibility;
+  SceneBuilder builder("consumer");
+  builder.begin_object("wall");
+  builder.add(Box{{3, -5, -5}, {4, 6, 6}});
+  builder.begin_object("behind");
+  builder.add(Box{{6, 0, 0}, {7, 1, 1}});
+  Scene const scene = builder.finish();
+  auto const set = StrongOcclusion<>{}(PreparedScene(scene), ViewCell(Box{{0, 0, 0}, {1, 1, 1}}));
+  std::printf("%zu visible\n", set.visible.size());
+  return set.visible.size() == 1 && generate("city,n=10").objects.size() > 1 && !contracts() ? 0 : 1;
+}
