@@ -27,12 +27,13 @@ public:
     for (std::size_t i = 0; i < strategies; ++i) {
       cast_[i] = memory * cast_[i] + static_cast<double>(cast[i]);
       worth_[i] = memory * worth_[i] + worth[i];
-      rate_[i] = cast_[i] > 0 ? worth_[i] / cast_[i] : 0;
+      rate_[i] = (worth_[i] + prior) / (cast_[i] + prior);
     }
   }
 
 private:
   static constexpr double minimal_share = 0.04, memory = 0.9;
+  static constexpr double prior = 0.5;  // without finds the shares drift back to equal ones
   std::array<double, strategies> cast_{}, worth_{}, rate_{};
 };
 

@@ -89,27 +89,21 @@ Aim aim_at_ball(Random& random, Ball const& ball, std::uint32_t index, Point3d c
           {ball.centre.x + scale * vx, ball.centre.y + scale * vy, ball.centre.z + scale * vz}};
 }
 
-Point3d on_segment(Random& random, Point3d const& a, Point3d const& b)
-{
-  double const t = border_biased(random);
-  return {between(a.x, b.x, t), between(a.y, b.y, t), between(a.z, b.z, t)};
-}
-
-Point3d on_box_edge(Random& random, Box const& b, bool upper)
+Edge box_edge(Random& random, Box const& b, bool upper)
 {
   int const axis = random.chance(upper ? 0.2 : 0.5) ? 2 : static_cast<int>(random.below(2U));
   int corner = static_cast<int>(random.below(8U));
   if (upper && axis != 2) corner |= 4;
-  return on_segment(random, b.corner(corner & ~(1 << axis)), b.corner(corner | (1 << axis)));
+  return {b.corner(corner & ~(1 << axis)), b.corner(corner | (1 << axis))};
 }
 
-Point3d on_prism_edge(Random& random, ConvexPrism const& p, bool upper)
+Edge prism_edge(Random& random, ConvexPrism const& p, bool upper)
 {
   std::size_t const n = p.footprint.size(), i = random.below(n);
   auto const &a = p.footprint[i], &b = p.footprint[(i + 1) % n];
-  if (random.chance(upper ? 0.2 : 0.5)) return on_segment(random, {a.x, a.y, p.bottom}, {a.x, a.y, p.top});
+  if (random.chance(upper ? 0.2 : 0.5)) return {{a.x, a.y, p.bottom}, {a.x, a.y, p.top}};
   double const z = upper || random.chance(0.7) ? p.top : p.bottom;
-  return on_segment(random, {a.x, a.y, z}, {b.x, b.y, z});
+  return {{a.x, a.y, z}, {b.x, b.y, z}};
 }
 
 /// On the circle in which the cone from `from` touches the ball.
@@ -126,6 +120,12 @@ Point3d on_outline(Random& random, Ball const& ball, Point3d const& from)
 }
 
 }  // namespace
+
+Point3d on_edge(Random& random, Edge const& e)
+{
+  double const t = border_biased(random);
+  return {between(e.a.x, e.b.x, t), between(e.a.y, e.b.y, t), between(e.a.z, e.b.z, t)};
+}
 
 double ObjectPoints::size(std::uint32_t object) const
 {
@@ -175,33 +175,59 @@ Aim ObjectPoints::on_face(Random& random, std::uint32_t object, Point3d const& f
   return aim;
 }
 
-Point3d ObjectPoints::near_edge(Random& random, std::uint32_t object, Point3d const& from, double offset,
-                                bool upper) const
+Edge ObjectPoints::edge(Random& random, std::uint32_t object, Point3d const& from, bool upper) const
 {
   using Kind = ConvexBodies::Kind;
   auto const& bodies = scene_.bodies();
   auto const own = bodies.bodies_of(object);
   auto const& body = own[random.below(own.size())];
-  Point3d p{};
   switch (body.kind) {
-    case Kind::box: p = on_box_edge(random, bodies.box(body), upper); break;
-    case Kind::ball: p = on_outline(random, bodies.ball(body), from); break;
-    case Kind::prism: p = on_prism_edge(random, bodies.prism(body), upper); break;
+    case Kind::box: return box_edge(random, bodies.box(body), upper);
+    case Kind::prism: return prism_edge(random, bodies.prism(body), upper);
     case Kind::polyhedron: {
-      auto const& poly = bodies.polyhedron(body);
-      auto const& e = poly.edges[random.below(poly.edges.size())];
-      p = on_segment(random, poly.vertices[e.from], poly.vertices[e.to]);
-      break;
+      auto const& p = bodies.polyhedron(body);
+      auto const& e = p.edges[random.below(p.edges.size())];
+      return {p.vertices[e.from], p.vertices[e.to]};
     }
     case Kind::triangle: {
       auto const v = bodies.triangle(body).vertices;
       std::uint32_t const i = random.below(3U);
-      p = on_segment(random, v[i], v[(i + 1) % 3]);
-      break;
+      return {v[i], v[(i + 1) % 3]};
     }
+    case Kind::ball: break;
   }
-  Point3d const d = random.direction();
+  Point3d const p = on_outline(random, bodies.ball(body), from);
+  return {p, p};
+}
+
+Point3d ObjectPoints::near_edge(Random& random, std::uint32_t object, Point3d const& from, double offset,
+                                bool upper) const
+{
+  Point3d const p = on_edge(random, edge(random, object, from, upper)), d = random.direction();
   return {p.x + offset * d.x, p.y + offset * d.y, p.z + offset * (upper ? std::fabs(d.z) : d.z)};
+}
+
+Point3d ObjectPoints::nearest(Random& random, std::uint32_t object, Point3d const& p) const
+{
+  auto const& bodies = scene_.bodies();
+  auto const own = bodies.bodies_of(object);
+  auto const& body = own[random.below(own.size())];
+  if (body.kind == ConvexBodies::Kind::box) {
+    Box const& b = bodies.box(body);
+    return {std::clamp(p.x, b.min.x, b.max.x), std::clamp(p.y, b.min.y, b.max.y), std::clamp(p.z, b.min.z, b.max.z)};
+  }
+  Point3d best = p;
+  double best_distance = HUGE_VAL;
+  for (int tries = 0; tries < 4; ++tries) {
+    Edge const e = edge(random, object, p, false);
+    double const dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, dz = e.b.z - e.a.z;
+    double const along = dx * (p.x - e.a.x) + dy * (p.y - e.a.y) + dz * (p.z - e.a.z);
+    double const t = std::clamp(along / std::fmax(dx * dx + dy * dy + dz * dz, 1e-300), 0.0, 1.0);
+    Point3d const q{between(e.a.x, e.b.x, t), between(e.a.y, e.b.y, t), between(e.a.z, e.b.z, t)};
+    double const d = std::hypot(q.x - p.x, q.y - p.y, q.z - p.z);
+    if (d < best_distance) best = q, best_distance = d;
+  }
+  return best;
 }
 
 }  // namespace visibility::detail

@@ -12,6 +12,13 @@ struct Aim {
   Point3d point;
 };
 
+struct Edge {
+  Point3d a, b;
+};
+
+/// A point of the edge, often near an end.
+Point3d on_edge(Random& random, Edge const& edge);
+
 /// Chooses points of objects.
 class ObjectPoints {
 public:
@@ -21,9 +28,15 @@ public:
   /// upper one above all, for that is what shows first.
   Aim on_face(Random& random, std::uint32_t object, Point3d const& from) const;
 
-  /// A point at distance about `offset` from a random edge of one of the object's bodies; from a ball's outline
-  /// as seen from `from`. With `upper`, from edges that bound the body above, where it has such.
+  /// A random edge of one of the object's bodies; of a ball, a point of its outline as seen from `from`. With `upper`,
+  /// mostly an edge that bounds the body above, where it has such.
+  Edge edge(Random& random, std::uint32_t object, Point3d const& from, bool upper) const;
+
+  /// A point at distance `offset` from such an edge.
   Point3d near_edge(Random& random, std::uint32_t object, Point3d const& from, double offset, bool upper) const;
+
+  /// The point nearest to p on some body of the object; of bodies that are not boxes, on one of a few edges.
+  Point3d nearest(Random& random, std::uint32_t object, Point3d const& p) const;
 
   /// Length of the diagonal of the object's bounding box.
   double size(std::uint32_t object) const;

@@ -9,6 +9,28 @@ namespace {
 Point3d minus(Point3d const& a, Point3d const& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 double length(Point3d const& v) { return std::hypot(v.x, v.y, v.z); }
 
+Point3d mix(Point3d const& a, Point3d const& b, double t)
+{
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+
+Point3d shaken(Random& random, Point3d const& p, double step)
+{
+  Point3d const d = random.direction();
+  return {p.x + step * d.x, p.y + step * d.y, p.z + step * d.z};
+}
+
+double dot(Point3d const& a, Point3d const& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+/// The point of the edge that is nearest to the line through a and b.
+Point3d nearest_to_line(Edge const& e, Point3d const& a, Point3d const& b)
+{
+  Point3d const u = minus(e.b, e.a), v = minus(b, a), w = minus(e.a, a);
+  double const uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), d = uu * vv - uv * uv;
+  double const t = d > 0 ? (uv * dot(v, w) - vv * dot(u, w)) / d : 0.5;
+  return mix(e.a, e.b, std::clamp(t, 0.0, 1.0));
+}
+
 /// Recent entries first: they are the frontier.
 template <class T>
 T const& recent(Random& random, std::vector<T> const& list)
@@ -42,16 +64,19 @@ std::uint32_t Planner::some_unfound(Random& random) const
 
 std::optional<std::uint32_t> Planner::neighbour(Random& random, std::uint32_t object, bool wanted) const
 {
-  Box box = scene_.object_bounds()[object];
-  double const grow = objects_.size(object) * random.log_uniform(0.02, 4);
-  box = {{box.min.x - grow, box.min.y - grow, box.min.z - grow}, {box.max.x + grow, box.max.y + grow, box.max.z + grow}};
+  // Whatever meets a small box somewhere around the object: cheap, and no side is preferred.
+  Box const& own = scene_.object_bounds()[object];
+  double const grow = objects_.size(object) * random.log_uniform(0.02, 4), half = 0.25 * grow;
+  Point3d const c{random.uniform(own.min.x - grow, own.max.x + grow), random.uniform(own.min.y - grow, own.max.y + grow),
+                  random.uniform(own.min.z - grow, own.max.z + grow)};
+  Box const box{{c.x - half, c.y - half, c.z - half}, {c.x + half, c.y + half, c.z + half}};
   std::uint32_t seen = 0, chosen = 0;
   int visits = 0;
   scene_.object_hierarchy().any_meeting(box, [&](std::uint32_t other) {
-    if (other != object && (!wanted || knowledge_.wanted[other] != 0) &&
-        meet(scene_.object_bounds()[other], box) && random.below(++seen) == 0)
+    if (other != object && (!wanted || knowledge_.wanted[other] != 0) && meet(scene_.object_bounds()[other], box) &&
+        random.below(++seen) == 0)
       chosen = other;
-    return seen >= 32 || ++visits >= 256;
+    return ++visits >= 64;
   });
   return seen > 0 ? std::optional(chosen) : std::nullopt;
 }
@@ -83,19 +108,27 @@ Plan Planner::mutated(Random& random) const
   Point3d const from = random.chance(0.7) ? cell_.near(random, s.from, random.log_uniform(1e-5, 1)) : s.from;
   // Either the end moves on the scale of the object, or the direction on the scale of the distance.
   double const reach = random.chance(0.7) ? objects_.size(s.object) : length(minus(s.to, s.from));
-  double const step = reach * random.log_uniform(1e-5, 1);
-  Point3d const d = random.direction();
-  return {from, minus({s.to.x + step * d.x, s.to.y + step * d.y, s.to.z + step * d.z}, from), {}};
+  return {from, minus(shaken(random, s.to, reach * random.log_uniform(1e-5, 1)), from), {}};
 }
 
 Plan Planner::critical(Random& random) const
 {
   for (int tries = 0; tries < 4; ++tries) {
     std::uint32_t const a = some_found(random);
-    std::uint32_t const b = random.chance(0.3) ? a : neighbour(random, a, false).value_or(a);
-    double const offset = random.log_uniform(1e-6, 1e-2);
-    Point3d const p = objects_.near_edge(random, a, cell_.centre(), offset * objects_.size(a), false);
-    Point3d const q = objects_.near_edge(random, b, cell_.centre(), offset * objects_.size(b), false);
+    std::uint32_t const b = random.chance(0.2) ? a : neighbour(random, a, false).value_or(a);
+    // A point of one edge, and the point of another that a line from the cell through the first comes nearest to.
+    bool const across = random.chance(0.5);
+    Point3d const anywhere = cell_.any(random);
+    Point3d p = on_edge(random, objects_.edge(random, a, anywhere, false));
+    Point3d q = nearest_to_line(objects_.edge(random, across ? b : a, anywhere, false), anywhere, p);
+    if (a != b && random.chance(0.6)) {
+      // Into the gap between the two, however narrow.
+      p = mix(p, objects_.nearest(random, b, p), random.unit());
+      q = mix(q, objects_.nearest(random, across ? a : b, q), random.unit());
+    } else {
+      p = shaken(random, p, objects_.size(a) * random.log_uniform(1e-6, 1e-2));
+      q = shaken(random, q, objects_.size(b) * random.log_uniform(1e-6, 1e-2));
+    }
     auto const from = cell_.on_line(random, p, q);
     if (!from) continue;
     Point3d const d = minus(p, *from);

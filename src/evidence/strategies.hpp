@@ -19,9 +19,9 @@ enum class Strategy : std::uint8_t {
   neighbour,   ///< at a face of one near an object that was found
   silhouette,  ///< past an edge of an object that was found
   skyline,     ///< over a top edge of one
-  mutation,    ///< a sight line that found something, shaken at some scale [Wonka et al. 2006]
+  mutation,    ///< a sight line that found something, shaken at some scale [Wonka06]
   critical,    ///< along a line that touches edges of two neighbours: slits
-  reverse      ///< at an object not found yet, past an edge of what blocked an earlier try [Wonka et al. 2006]
+  reverse      ///< at an object not found yet, past an edge of what blocked an earlier try [Wonka06]
 };
 inline constexpr std::size_t strategies = 9;
 inline constexpr std::array<std::string_view, strategies> strategy_names{

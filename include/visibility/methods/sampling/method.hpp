@@ -11,7 +11,7 @@ class RayScene;
 
 /// Guided sampling: rays propose sight lines, an exact predicate confirms each. A lower bound: every object listed has
 /// a witness or meets the closed cell; visible objects may be missing.
-/// Takes any scene. Sources: [Wonka et al. 2006] for mutation and reverse sampling; docs/sampling.md.
+/// Takes any scene. Sources: [Wonka06] for mutation and reverse sampling; docs/sampling.md.
 class Sampling {
 public:
   using Options = sampling::Options;
