@@ -83,7 +83,7 @@ void fuzz(std::string const& folder, SceneFormat format, int trials)
       FAIL("threw something else than BadInput: " << e.what());
     }
   }
-  REQUIRE(read > trials / 50);
+  REQUIRE(read > trials / 100);
   REQUIRE(refused > trials / 10);
 }
 

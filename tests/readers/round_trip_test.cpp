@@ -40,7 +40,8 @@ Scene random_scene(Random& random, Content content)
 {
   SceneBuilder builder("input");
   for (int o = 0, n = random.between(1, 5); o < n; ++o) {
-    builder.begin_object(content == Content::triangles ? "object " + std::to_string(o) : "näme \"" + std::to_string(o) + "\" \\ #");
+    std::string name = content == Content::triangles ? "object " : "\"näme\" \\ # ";
+    builder.begin_object(name.append(std::to_string(o)));
     bool const all = content == Content::everything;
     if (all)
       for (int i = random.between(0, 2); i > 0; --i) builder.add(random_box(random));
@@ -112,7 +113,7 @@ TEST_CASE("round trip: GeoJSON gives back prisms bit for bit", "[readers][law]")
     Random random(seed);
     SceneBuilder builder("input");
     for (int i = random.between(1, 4); i > 0; --i) {
-      builder.begin_object("p" + std::to_string(i));
+      builder.begin_object(std::string("p").append(std::to_string(i)));
       Prism p = random_prism(random);
       if (std::fabs(p.rings[0][0].x) > 1e12) continue;  // far out points of a small square fall together, and a reader drops repeats
       if (p.top < 0) p.bottom = 0, p.top = -p.top;
