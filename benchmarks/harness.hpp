@@ -16,13 +16,19 @@ struct IntervalOnly {
   static constexpr std::string_view name = "interval-layer";
   static constexpr bool is_exact = false;
   template <class F, class... X>
-  static Sign sign(F const& f, X... x) { return layers::interval(f, x...).value_or(Sign::zero); }
+  static Sign sign(F const& f, X... x)
+  {
+    return layers::interval(f, x...).value_or(Sign::zero);
+  }
 };
 struct ExactOnly {
   static constexpr std::string_view name = "exact-layer";
   static constexpr bool is_exact = true;
   template <class F, class... X>
-  static Sign sign(F const& f, X... x) { return layers::exact(f, x...); }
+  static Sign sign(F const& f, X... x)
+  {
+    return layers::exact(f, x...);
+  }
 };
 
 /// Registers "subject/family/arithmetic": `ask.template operator()<A>(query)` on all queries in turn. Before it is
@@ -45,7 +51,8 @@ void add(std::string const& subject, std::string const& family, std::vector<Quer
     for (auto _ : state)
       for (auto const& q : queries) benchmark::DoNotOptimize(ask.template operator()<A>(q));
     double const n = static_cast<double>(queries.size());
-    state.counters["per_query"] = benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_query"] =
+      benchmark::Counter(n, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
     state.counters["wrong"] = wrong;
     state.counters["filter"] = static_cast<double>(layers.filter) / n;
     state.counters["interval"] = static_cast<double>(layers.interval) / n;

@@ -46,7 +46,8 @@ std::vector<Query> tangent(bool nearly)
   test::Random random(seed);
   std::vector<Query> queries;
   for (int i = 0; i < count; ++i) {
-    double const k = double(1 + (random.bits() >> 36)), m = 1000.0 * random.between(-99, 99), n = 1000.0 * random.between(1, 99);
+    double const k = double(1 + (random.bits() >> 36)), m = 1000.0 * random.between(-99, 99),
+                 n = 1000.0 * random.between(1, 99);
     Point3d const c{double(random.below(1 << 20)), double(random.below(1 << 20)), double(random.below(1 << 20))};
     Point3d const on{c.x + 2 * k, c.y + 3 * k, c.z + 6 * k};
     Point3d const p{on.x - 3 * m - 3 * n, on.y + 2 * m, on.z + n}, q{on.x + 3 * m + 3 * n, on.y - 2 * m, on.z - n};
@@ -77,11 +78,12 @@ void add_ball_families(std::string const& subject, Ask const& ask)
 
 int main(int argc, char** argv)
 {
-  add_families("orient2d", Recipe::nextafter, Recipe::collinear, []<class A>(Query const& q) {
-    return orient2d<A>(horizontal(q.a), horizontal(q.b), horizontal(q.c));
-  });
-  add_families("orient3d", Recipe::rounded, Recipe::coplanar, []<class A>(Query const& q) { return orient3d<A>(q.a, q.b, q.c, q.d); });
-  add_families("line_side", Recipe::rounded, Recipe::coplanar, []<class A>(Query const& q) { return line_side<A>(q.a, q.b, q.c, q.d); });
+  add_families("orient2d", Recipe::nextafter, Recipe::collinear,
+               []<class A>(Query const& q) { return orient2d<A>(horizontal(q.a), horizontal(q.b), horizontal(q.c)); });
+  add_families("orient3d", Recipe::rounded, Recipe::coplanar,
+               []<class A>(Query const& q) { return orient3d<A>(q.a, q.b, q.c, q.d); });
+  add_families("line_side", Recipe::rounded, Recipe::coplanar,
+               []<class A>(Query const& q) { return line_side<A>(q.a, q.b, q.c, q.d); });
   add_ball_families("in_ball", []<class A>(Query const& q) { return in_ball<A>(q.d, q.c, q.radius); });
   add_ball_families("line_ball", []<class A>(Query const& q) { return line_ball<A>(q.a, q.b, q.c, q.radius); });
   return run(argc, argv);

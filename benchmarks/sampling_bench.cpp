@@ -29,7 +29,9 @@ double seconds_since(std::chrono::steady_clock::time_point start)
 Scene city(int n)
 {
   std::mt19937_64 engine(1);
-  auto const uniform = [&](double lo, double hi) { return lo + (hi - lo) * static_cast<double>(engine() >> 11) * 0x1p-53; };
+  auto const uniform = [&](double lo, double hi) {
+    return lo + (hi - lo) * static_cast<double>(engine() >> 11) * 0x1p-53;
+  };
   SceneBuilder b("sampling_bench");
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) {
@@ -78,9 +80,10 @@ int main(int argc, char** argv)
   std::set<std::uint32_t> all;
   for (auto const& r : runs) all.insert(r.set.visible.begin(), r.set.visible.end());
   for (auto const& r : runs) {
-    std::printf("{\"rays\": %llu, \"seed\": %llu, \"found\": %zu, \"recall\": %.4f, \"seconds\": %.3f, \"rays_per_s\": %.0f",
-                static_cast<unsigned long long>(r.rays), static_cast<unsigned long long>(r.seed), r.set.visible.size(),
-                double(r.set.visible.size()) / double(all.size()), r.seconds, double(r.rays) / r.seconds);
+    std::printf(
+      "{\"rays\": %llu, \"seed\": %llu, \"found\": %zu, \"recall\": %.4f, \"seconds\": %.3f, \"rays_per_s\": %.0f",
+      static_cast<unsigned long long>(r.rays), static_cast<unsigned long long>(r.seed), r.set.visible.size(),
+      double(r.set.visible.size()) / double(all.size()), r.seconds, double(r.rays) / r.seconds);
     for (auto const& [name, value] : r.set.statistics)
       if (name.starts_with("finds_") || name.starts_with("rays_") || name == "rejected")
         std::printf(", \"%s\": %.0f", name.c_str(), value);

@@ -36,7 +36,9 @@ std::vector<Segment> touching_segments(std::vector<Point3d> const& vertices)
 {
   test::Random random(seed);
   auto const special = [&] {
-    auto const any = [&] { return vertices[static_cast<std::size_t>(random.below(static_cast<int>(vertices.size())))]; };
+    auto const any = [&] {
+      return vertices[static_cast<std::size_t>(random.below(static_cast<int>(vertices.size())))];
+    };
     Point3d const a = any(), b = any();
     double const t = 0.5 * random.between(-3, 3);
     return Point3d{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
@@ -53,7 +55,8 @@ template <class Body>
 void add_body(std::string const& name, Body const& body, std::vector<Point3d> const& vertices)
 {
   auto const ask = [body]<class A>(Segment const& s) { return segment_meets<A, End::excluded>(body, s.p, s.q); };
-  for (auto const& [family, segments] : {std::pair("random", random_segments()), std::pair("zero", touching_segments(vertices))}) {
+  for (auto const& [family, segments] :
+       {std::pair("random", random_segments()), std::pair("zero", touching_segments(vertices))}) {
     add<Double>("segment_" + name, family, segments, ask);
     add<Filtered>("segment_" + name, family, segments, ask);
     add<Rational>("segment_" + name, family, segments, ask);
@@ -70,7 +73,8 @@ int main(int argc, char** argv)
 
   ConvexPrism const prism{{{-8, -6}, {6, -10}, {10, 4}, {2, 10}, {-10, 6}}, 0, 10};
   std::vector<Point3d> vertices;
-  for (auto const& v : prism.footprint) vertices.insert(vertices.end(), {{v.x, v.y, prism.bottom}, {v.x, v.y, prism.top}});
+  for (auto const& v : prism.footprint)
+    vertices.insert(vertices.end(), {{v.x, v.y, prism.bottom}, {v.x, v.y, prism.top}});
   add_body("prism", prism, vertices);
   auto const polyhedron = ConvexPolyhedron::hull(vertices);
   add_body("polyhedron", polyhedron, polyhedron.vertices);

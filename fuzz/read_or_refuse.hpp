@@ -9,7 +9,8 @@ namespace visibility::fuzz {
 
 /// Any outcome but a valid scene or BadInput with a one-line message is a fault; libFuzzer reports whatever else is
 /// thrown.
-inline void read_or_refuse(std::uint8_t const* data, std::size_t size, SceneFormat format, ReadOptions const& options = {})
+inline void read_or_refuse(std::uint8_t const* data, std::size_t size, SceneFormat format,
+                           ReadOptions const& options = {})
 {
   try {
     read_scene_text({reinterpret_cast<char const*>(data), size}, format, "fuzz", options).validate();

@@ -1,4 +1,5 @@
 #include "commands.hpp"
+#include "count_option.hpp"
 #include "scene_argument.hpp"
 
 #include "visibility/evidence/check.hpp"
@@ -44,8 +45,10 @@ void print_report(Scene const& scene, CheckReport const& report, std::size_t mos
     }
     std::cout << "  " << scene.objects[i].name;
     auto const w = std::ranges::find(report.witnesses, i, &Witness::object);
-    if (w == report.witnesses.end()) std::cout << ": meets the closed cell\n";
-    else std::cout << ": seen from " << text(w->from) << " at " << text(w->to) << '\n';
+    if (w == report.witnesses.end())
+      std::cout << ": meets the closed cell\n";
+    else
+      std::cout << ": seen from " << text(w->from) << " at " << text(w->to) << '\n';
   }
   if (!report.unseen.empty())
     std::cout << "members that no ray saw (information, no fault): " << report.unseen.size() << '\n';
@@ -81,7 +84,7 @@ void add_check(CLI::App& app, int& exit_code)
     "check", "Hunt for visible objects that a set lacks; exit code 1 if a set that claims to hold all lacks one");
   a->scene.add_to(*command);
   command->add_option("PVS", a->results, "result file of any implementation")->required();
-  command->add_option("--rays", a->options.rays, "rays per cell (default 10000000)");
+  add_count_option(*command, "--rays", a->options.rays, "rays per cell (default 10000000)");
   command->add_option("--seconds", a->options.seconds, "stop after this time (default 0: no limit)")
     ->check(CLI::NonNegativeNumber);
   command->add_option("--seed", a->options.seed, "seed (default 1)");

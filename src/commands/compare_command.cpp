@@ -54,7 +54,8 @@ void add_compare(CLI::App& app, int& exit_code)
     bool all = false;
   };
   auto const arguments = std::make_shared<Arguments>();
-  auto* const command = app.add_subcommand("compare", "Two results side by side; exit code 1 if their guarantees clash");
+  auto* const command =
+    app.add_subcommand("compare", "Two results side by side; exit code 1 if their guarantees clash");
   command->add_option("A", arguments->a, "result file")->required();
   command->add_option("B", arguments->b, "result file")->required();
   command->add_flag("--all", arguments->all, "list every difference");

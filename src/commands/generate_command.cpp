@@ -47,7 +47,8 @@ void add_generate(CLI::App& app)
     for (auto const& p : a->parameters) specification += "," + p;
     Scene const scene = generate(specification);
     write_scene(a->output, scene);
-    std::cout << a->output << ": " << scene.objects.size() << " objects, " << scene.primitive_count() << " primitives\n";
+    std::cout << a->output << ": " << scene.objects.size() << " objects, " << scene.primitive_count()
+              << " primitives\n";
   });
 }
 

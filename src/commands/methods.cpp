@@ -1,5 +1,7 @@
 #include "methods.hpp"
 
+#include "count_option.hpp"
+
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -40,7 +42,7 @@ void MethodArguments::add_to(CLI::App& command)
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
   command.add_option("--granularity", granularity, "strong-occlusion: object, part or face (default)");
   command.add_flag("--no-groups", no_groups, "strong-occlusion: test objects one by one");
-  command.add_option("--rays", rays, "sampling: rays to shoot (default 1000000)");
+  add_count_option(command, "--rays", rays, "sampling: rays to shoot (default 1000000)");
   command.add_option("--seconds", seconds, "sampling: stop after this time (default 0: no limit)");
   command.add_option("--seed", seed, "sampling: seed (default 1)");
 }

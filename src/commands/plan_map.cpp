@@ -21,8 +21,10 @@ public:
 
   void fill(Box const& b, char c)
   {
-    int const x0 = index(b.min.x - bounds_.min.x, step_, columns_), x1 = index(b.max.x - bounds_.min.x, step_, columns_);
-    int const y0 = index(bounds_.max.y - b.max.y, 2 * step_, rows_), y1 = index(bounds_.max.y - b.min.y, 2 * step_, rows_);
+    int const x0 = index(b.min.x - bounds_.min.x, step_, columns_),
+              x1 = index(b.max.x - bounds_.min.x, step_, columns_);
+    int const y0 = index(bounds_.max.y - b.max.y, 2 * step_, rows_),
+              y1 = index(bounds_.max.y - b.min.y, 2 * step_, rows_);
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) lines_[static_cast<std::size_t>(y)][static_cast<std::size_t>(x)] = c;
   }
@@ -35,7 +37,10 @@ public:
   }
 
 private:
-  static int index(double offset, double step, int n) { return static_cast<int>(std::clamp(offset / step, 0.0, n - 1.0)); }
+  static int index(double offset, double step, int n)
+  {
+    return static_cast<int>(std::clamp(offset / step, 0.0, n - 1.0));
+  }
 
   Box bounds_;
   int columns_, rows_ = 1;

@@ -38,7 +38,8 @@ double seconds_since(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result make_result(Arguments const& a, PreparedScene const& scene, ViewCell const& cell, PotentiallyVisibleSet const& set)
+Result make_result(Arguments const& a, PreparedScene const& scene, ViewCell const& cell,
+                   PotentiallyVisibleSet const& set)
 {
   Result r;
   r.source = scene.scene().source;
@@ -61,7 +62,8 @@ Result make_result(Arguments const& a, PreparedScene const& scene, ViewCell cons
 void print_summary(std::vector<Result> const& results, std::string const& file)
 {
   Result const& first = results.front();
-  std::cout << "scene   " << first.source << ": " << first.objects << " objects, " << first.primitives << " primitives\n"
+  std::cout << "scene   " << first.source << ": " << first.objects << " objects, " << first.primitives
+            << " primitives\n"
             << "method  " << first.method << ", " << first.arithmetic << " arithmetic: " << to_string(first.guarantee)
             << '\n';
   for (auto const& r : results) {

@@ -10,15 +10,18 @@ namespace visibility::commands {
 
 void SceneArgument::add_to(CLI::App& command)
 {
-  command.add_option("SCENE", scene, "scene file (.obj .ply .json .jsonl .geojson .geojsonl, also .gz), or gen:KIND,key=value,...")
+  command
+    .add_option("SCENE", scene,
+                "scene file (.obj .ply .json .jsonl .geojson .geojsonl, also .gz), or gen:KIND,key=value,...")
     ->required();
-  command.add_option("--object-property", options.object_property, "PLY: face property that names the object of a face");
+  command.add_option("--object-property", options.object_property,
+                     "PLY: face property that names the object of a face");
   command.add_option("--height-property", options.height_property, "GeoJSON: property with the height in metres");
   command.add_option("--ground-property", options.ground_property, "GeoJSON: property with the ground level in metres");
-  static std::map<std::string, CoordinateUnit> const units{{"automatic", CoordinateUnit::automatic},
-                                                           {"metres", CoordinateUnit::metres},
-                                                           {"degrees", CoordinateUnit::degrees}};
-  command.add_option("--coordinates", options.coordinates, "GeoJSON: automatic, metres or degrees (longitude, latitude)")
+  static std::map<std::string, CoordinateUnit> const units{
+    {"automatic", CoordinateUnit::automatic}, {"metres", CoordinateUnit::metres}, {"degrees", CoordinateUnit::degrees}};
+  command
+    .add_option("--coordinates", options.coordinates, "GeoJSON: automatic, metres or degrees (longitude, latitude)")
     ->transform(CLI::CheckedTransformer(units, CLI::ignore_case));
 }
 

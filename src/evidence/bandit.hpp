@@ -14,7 +14,8 @@ public:
   {
     double total = 0;
     for (double const r : rate_) total += r;
-    if (!(total > 0) || random.chance(minimal_share * strategies)) return static_cast<Strategy>(random.below(strategies));
+    if (!(total > 0) || random.chance(minimal_share * strategies))
+      return static_cast<Strategy>(random.below(strategies));
     double x = random.unit() * total;
     for (std::size_t i = 0; i + 1 < strategies; ++i)
       if ((x -= rate_[i]) < 0) return static_cast<Strategy>(i);

@@ -33,8 +33,7 @@ CheckReport check(RayScene const& rays, ViewCell const& cell, std::span<std::uin
   report.rejected = found.rejected;
   report.seconds = found.seconds;
   report.fault = !report.missing.empty() && (claimed == Guarantee::exact || claimed == Guarantee::conservative);
-  if (claimed == Guarantee::exact)
-    std::ranges::set_difference(members, found.seen, std::back_inserter(report.unseen));
+  if (claimed == Guarantee::exact) std::ranges::set_difference(members, found.seen, std::back_inserter(report.unseen));
   return report;
 }
 

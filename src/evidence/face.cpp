@@ -64,8 +64,8 @@ std::optional<FacePoint> inside_wall(Prism const& prism, std::uint32_t part, Poi
   double const dx = b.x - a.x, dy = b.y - a.y;
   double const t = ((wanted.x - a.x) * dx + (wanted.y - a.y) * dy) / (dx * dx + dy * dy);
   if (!std::isfinite(t)) return {};
-  RationalNumber const w = RationalNumber(std::rint(clamped(t, 0x1p-20, 1 - 0x1p-20) * weight_one)) /
-                           RationalNumber(weight_one);
+  RationalNumber const w =
+    RationalNumber(std::rint(clamped(t, 0x1p-20, 1 - 0x1p-20) * weight_one)) / RationalNumber(weight_one);
   Point3q const p{RationalNumber(a.x) + w * (RationalNumber(b.x) - RationalNumber(a.x)),
                   RationalNumber(a.y) + w * (RationalNumber(b.y) - RationalNumber(a.y)), RationalNumber(*z)};
   return FacePoint{{CGAL::to_double(p.x), CGAL::to_double(p.y), *z}, p};
@@ -95,8 +95,8 @@ std::optional<FacePoint> inside_cap(ConvexPrism const& piece, std::uint32_t part
 /// weights are valid.
 std::array<double, 3> weights(Corners const& t, Point3d const& p)
 {
-  Point3d const u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z}, v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z},
-    w{p.x - t[0].x, p.y - t[0].y, p.z - t[0].z};
+  Point3d const u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z},
+    v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z}, w{p.x - t[0].x, p.y - t[0].y, p.z - t[0].z};
   auto const dot = [](Point3d const& a, Point3d const& b) { return a.x * b.x + a.y * b.y + a.z * b.z; };
   double const uu = dot(u, u), uv = dot(u, v), vv = dot(v, v), wu = dot(w, u), wv = dot(w, v);
   double const d = uu * vv - uv * uv;
@@ -134,7 +134,7 @@ std::optional<FacePoint> inside_triangle(Corners const& t, Point3d const& wanted
   double const b = std::fmax(1, std::rint(w[1] * weight_one)), c = std::fmax(1, std::rint(w[2] * weight_one));
   if (b + c >= weight_one) return {};
   RationalNumber const one(weight_one), wb = RationalNumber(b) / one, wc = RationalNumber(c) / one,
-                           wa = RationalNumber(weight_one - b - c) / one;
+                                        wa = RationalNumber(weight_one - b - c) / one;
   auto const mix = [&](double x, double y, double z) {
     return wa * RationalNumber(x) + wb * RationalNumber(y) + wc * RationalNumber(z);
   };
@@ -187,13 +187,13 @@ std::optional<FacePoint> point_inside(PreparedScene const& scene, Face const& fa
   Scene const& s = scene.scene();
   if (!is_finite(wanted)) return {};
   switch (face.kind) {
-    case Face::Kind::box: return inside_box_face(s.boxes[face.primitive], face.part, wanted);
-    case Face::Kind::wall: return inside_wall(s.prisms[face.primitive], face.part, wanted);
-    case Face::Kind::roof: return inside_cap(piece_of(scene, face), face.part, piece_of(scene, face).top, wanted);
-    case Face::Kind::floor: return inside_cap(piece_of(scene, face), face.part, piece_of(scene, face).bottom, wanted);
-    case Face::Kind::facet: return inside_triangle(facet_corners(s.polyhedra[face.primitive], face.part), wanted);
-    case Face::Kind::triangle: return inside_triangle(s.triangle(face.primitive).vertices, wanted);
-    case Face::Kind::sphere: return on_sphere(s.balls[face.primitive], wanted);
+  case Face::Kind::box: return inside_box_face(s.boxes[face.primitive], face.part, wanted);
+  case Face::Kind::wall: return inside_wall(s.prisms[face.primitive], face.part, wanted);
+  case Face::Kind::roof: return inside_cap(piece_of(scene, face), face.part, piece_of(scene, face).top, wanted);
+  case Face::Kind::floor: return inside_cap(piece_of(scene, face), face.part, piece_of(scene, face).bottom, wanted);
+  case Face::Kind::facet: return inside_triangle(facet_corners(s.polyhedra[face.primitive], face.part), wanted);
+  case Face::Kind::triangle: return inside_triangle(s.triangle(face.primitive).vertices, wanted);
+  case Face::Kind::sphere: return on_sphere(s.balls[face.primitive], wanted);
   }
   return {};
 }
@@ -203,30 +203,30 @@ Point3d middle(PreparedScene const& scene, Face const& face, Point3d const& from
   Scene const& s = scene.scene();
   auto const half = [](double a, double b) { return 0.5 * a + 0.5 * b; };
   switch (face.kind) {
-    case Face::Kind::box: {
-      Box const& b = s.boxes[face.primitive];
-      Point3d c{half(b.min.x, b.max.x), half(b.min.y, b.max.y), half(b.min.z, b.max.z)};
-      bool const high = face.part % 2 == 1;
-      if (face.part / 2 == 0) c.x = high ? b.max.x : b.min.x;
-      if (face.part / 2 == 1) c.y = high ? b.max.y : b.min.y;
-      if (face.part / 2 == 2) c.z = high ? b.max.z : b.min.z;
-      return c;
-    }
-    case Face::Kind::wall: {
-      auto const& prism = s.prisms[face.primitive];
-      auto const [a, b] = wall_ends(prism, face.part);
-      return {half(a.x, b.x), half(a.y, b.y), half(prism.bottom, prism.top)};
-    }
-    case Face::Kind::roof:
-    case Face::Kind::floor: {
-      auto const& piece = piece_of(scene, face);
-      auto const t = fan_triangle(piece, face.part);
-      double const z = face.kind == Face::Kind::roof ? piece.top : piece.bottom;
-      return centroid({Point3d{t[0].x, t[0].y, z}, Point3d{t[1].x, t[1].y, z}, Point3d{t[2].x, t[2].y, z}});
-    }
-    case Face::Kind::facet: return centroid(facet_corners(s.polyhedra[face.primitive], face.part));
-    case Face::Kind::triangle: return centroid(s.triangle(face.primitive).vertices);
-    case Face::Kind::sphere: break;
+  case Face::Kind::box: {
+    Box const& b = s.boxes[face.primitive];
+    Point3d c{half(b.min.x, b.max.x), half(b.min.y, b.max.y), half(b.min.z, b.max.z)};
+    bool const high = face.part % 2 == 1;
+    if (face.part / 2 == 0) c.x = high ? b.max.x : b.min.x;
+    if (face.part / 2 == 1) c.y = high ? b.max.y : b.min.y;
+    if (face.part / 2 == 2) c.z = high ? b.max.z : b.min.z;
+    return c;
+  }
+  case Face::Kind::wall: {
+    auto const& prism = s.prisms[face.primitive];
+    auto const [a, b] = wall_ends(prism, face.part);
+    return {half(a.x, b.x), half(a.y, b.y), half(prism.bottom, prism.top)};
+  }
+  case Face::Kind::roof:
+  case Face::Kind::floor: {
+    auto const& piece = piece_of(scene, face);
+    auto const t = fan_triangle(piece, face.part);
+    double const z = face.kind == Face::Kind::roof ? piece.top : piece.bottom;
+    return centroid({Point3d{t[0].x, t[0].y, z}, Point3d{t[1].x, t[1].y, z}, Point3d{t[2].x, t[2].y, z}});
+  }
+  case Face::Kind::facet: return centroid(facet_corners(s.polyhedra[face.primitive], face.part));
+  case Face::Kind::triangle: return centroid(s.triangle(face.primitive).vertices);
+  case Face::Kind::sphere: break;
   }
   Ball const& ball = s.balls[face.primitive];
   double const dx = from.x - ball.centre.x, dy = from.y - ball.centre.y, dz = from.z - ball.centre.z;

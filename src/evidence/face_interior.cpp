@@ -55,13 +55,15 @@ bool in_wall(Prism const& prism, Point3q const& p)
 bool in_footprint(ConvexPrism const& piece, Point2q const& p)
 {
   for (std::size_t i = 0, n = piece.footprint.size(); i < n; ++i)
-    if (is_negative(orient2d<Rational>(plane(piece.footprint[i]), plane(piece.footprint[(i + 1) % n]), p))) return false;
+    if (is_negative(orient2d<Rational>(plane(piece.footprint[i]), plane(piece.footprint[(i + 1) % n]), p)))
+      return false;
   return true;
 }
 
 bool in_cap(ConvexPrism const& piece, Point3q const& p)
 {
-  return (p.z == RationalNumber(piece.bottom) || p.z == RationalNumber(piece.top)) && in_footprint(piece, horizontal(p));
+  return (p.z == RationalNumber(piece.bottom) || p.z == RationalNumber(piece.top)) &&
+         in_footprint(piece, horizontal(p));
 }
 
 /// Inside a face made of one or more coplanar facets: on one facet's plane and strictly inside all other planes.
@@ -75,9 +77,8 @@ bool in_facet(ConvexPolyhedron const& body, Point3q const& p)
     return std::ranges::all_of(g.vertices, [&](auto i) { return is_zero(side(f, exact(body.vertices[i]))); });
   };
   auto const on = std::ranges::find_if(body.facets, [&](auto const& f) { return is_zero(side(f, p)); });
-  return on != body.facets.end() && std::ranges::all_of(body.facets, [&](auto const& g) {
-    return is_negative(side(g, p)) || coplanar(*on, g);
-  });
+  return on != body.facets.end() &&
+         std::ranges::all_of(body.facets, [&](auto const& g) { return is_negative(side(g, p)) || coplanar(*on, g); });
 }
 
 bool in_triangle(Triangle const& t, Point3q const& p)
@@ -90,7 +91,8 @@ bool in_triangle(Triangle const& t, Point3q const& p)
   if (axis < 0 || !is_zero(orient3d<Rational>(a, b, c, p))) return false;
   auto const A = detail::drop(axis, a), B = detail::drop(axis, b), C = detail::drop(axis, c), P = detail::drop(axis, p);
   Sign const turn = orient2d<Rational>(A, B, C);
-  return orient2d<Rational>(A, B, P) == turn && orient2d<Rational>(B, C, P) == turn && orient2d<Rational>(C, A, P) == turn;
+  return orient2d<Rational>(A, B, P) == turn && orient2d<Rational>(B, C, P) == turn &&
+         orient2d<Rational>(C, A, P) == turn;
 }
 
 bool on_sphere(Ball const& ball, Point3q const& p)
@@ -112,7 +114,8 @@ bool in_face_interior(PreparedScene const& scene, std::uint32_t object, Point3q 
     return false;
   };
   auto const on_ring = [&](std::uint32_t i) {
-    return any_ring_edge(s.prisms[i], [&](auto const& a, auto const& b) { return on_segment(a, b, horizontal(p), true); });
+    return any_ring_edge(s.prisms[i],
+                         [&](auto const& a, auto const& b) { return on_segment(a, b, horizontal(p), true); });
   };
   // Roofs and floors: inside a closed convex piece, on no ring edge.
   auto const in_caps = [&] {

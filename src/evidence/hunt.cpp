@@ -18,8 +18,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t chunk_rays = 1024;
 constexpr std::size_t first_round = 2 * chunk_rays, largest_round = 64 * chunk_rays;
-constexpr std::size_t candidates_per_object = 4;    // and round
-constexpr std::size_t patient_failures = 16;        // afterwards an object's candidates are taken ever more rarely
+constexpr std::size_t candidates_per_object = 4;  // and round
+constexpr std::size_t patient_failures = 16;      // afterwards an object's candidates are taken ever more rarely
 constexpr std::size_t remembered_blocks = 1U << 14;
 constexpr std::size_t blocks_per_chunk = 64;
 
@@ -247,7 +247,8 @@ private:
 
 }  // namespace
 
-HuntReport hunt(RayScene const& rays, ViewCell const& cell, std::span<std::uint32_t const> known, HuntLimits const& limits)
+HuntReport hunt(RayScene const& rays, ViewCell const& cell, std::span<std::uint32_t const> known,
+                HuntLimits const& limits)
 {
   return Hunt(rays, cell, known, limits).run();
 }

@@ -18,11 +18,11 @@ struct HuntLimits {
 };
 
 struct HuntReport {
-  std::vector<std::uint32_t> found;        ///< objects found visible, ascending; never one that was known
-  std::vector<Witness> witnesses;          ///< of those that do not meet the closed cell, by ascending object
-  std::vector<std::uint32_t> seen;         ///< objects that a ray hit, known or not, ascending
+  std::vector<std::uint32_t> found;  ///< objects found visible, ascending; never one that was known
+  std::vector<Witness> witnesses;    ///< of those that do not meet the closed cell, by ascending object
+  std::vector<std::uint32_t> seen;   ///< objects that a ray hit, known or not, ascending
   std::uint64_t rays = 0, hits = 0;
-  std::uint64_t rejected = 0;              ///< candidates that the exact predicate refused
+  std::uint64_t rejected = 0;  ///< candidates that the exact predicate refused
   std::array<std::uint64_t, strategies> cast{}, finds{};
   double seconds = 0;
 };
@@ -30,6 +30,7 @@ struct HuntReport {
 /// Hunts for visible objects besides the known ones: rays propose, the exact predicate confirms. Rounds of rays are
 /// planned on what the rounds before have found, so that for a given seed the report is the same for any number of
 /// threads, unless the time limit ends it.
-HuntReport hunt(RayScene const& rays, ViewCell const& cell, std::span<std::uint32_t const> known, HuntLimits const& limits);
+HuntReport hunt(RayScene const& rays, ViewCell const& cell, std::span<std::uint32_t const> known,
+                HuntLimits const& limits);
 
 }  // namespace visibility::detail

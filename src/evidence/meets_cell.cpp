@@ -28,34 +28,34 @@ bool any_edge_meets(ViewCell const& cell, Bodies const& bodies, Bodies::Body con
 {
   using Kind = Bodies::Kind;
   switch (body.kind) {
-    case Kind::box: {
-      auto const c = bodies.box(body).corners();
-      for (std::size_t i = 0; i < 8; ++i)
-        for (std::size_t const bit : {1U, 2U, 4U})
-          if ((i & bit) == 0 && edge_meets(cell, c[i], c[i | bit])) return true;
-      return false;
+  case Kind::box: {
+    auto const c = bodies.box(body).corners();
+    for (std::size_t i = 0; i < 8; ++i)
+      for (std::size_t const bit : {1U, 2U, 4U})
+        if ((i & bit) == 0 && edge_meets(cell, c[i], c[i | bit])) return true;
+    return false;
+  }
+  case Kind::prism: {
+    auto const& p = bodies.prism(body);
+    for (std::size_t i = 0, n = p.footprint.size(); i < n; ++i) {
+      auto const &a = p.footprint[i], &b = p.footprint[(i + 1) % n];
+      if (edge_meets(cell, {a.x, a.y, p.bottom}, {b.x, b.y, p.bottom}) ||
+          edge_meets(cell, {a.x, a.y, p.top}, {b.x, b.y, p.top}) ||
+          edge_meets(cell, {a.x, a.y, p.bottom}, {a.x, a.y, p.top}))
+        return true;
     }
-    case Kind::prism: {
-      auto const& p = bodies.prism(body);
-      for (std::size_t i = 0, n = p.footprint.size(); i < n; ++i) {
-        auto const &a = p.footprint[i], &b = p.footprint[(i + 1) % n];
-        if (edge_meets(cell, {a.x, a.y, p.bottom}, {b.x, b.y, p.bottom}) ||
-            edge_meets(cell, {a.x, a.y, p.top}, {b.x, b.y, p.top}) ||
-            edge_meets(cell, {a.x, a.y, p.bottom}, {a.x, a.y, p.top}))
-          return true;
-      }
-      return false;
-    }
-    case Kind::polyhedron: {
-      auto const& p = bodies.polyhedron(body);
-      return std::ranges::any_of(p.edges,
-                                 [&](auto const& e) { return edge_meets(cell, p.vertices[e.from], p.vertices[e.to]); });
-    }
-    case Kind::triangle: {
-      auto const& v = bodies.triangle(body).vertices;
-      return edge_meets(cell, v[0], v[1]) || edge_meets(cell, v[1], v[2]) || edge_meets(cell, v[2], v[0]);
-    }
-    case Kind::ball: return contains(cell, bodies.ball(body).centre);
+    return false;
+  }
+  case Kind::polyhedron: {
+    auto const& p = bodies.polyhedron(body);
+    return std::ranges::any_of(p.edges,
+                               [&](auto const& e) { return edge_meets(cell, p.vertices[e.from], p.vertices[e.to]); });
+  }
+  case Kind::triangle: {
+    auto const& v = bodies.triangle(body).vertices;
+    return edge_meets(cell, v[0], v[1]) || edge_meets(cell, v[1], v[2]) || edge_meets(cell, v[2], v[0]);
+  }
+  case Kind::ball: return contains(cell, bodies.ball(body).centre);
   }
   return false;
 }

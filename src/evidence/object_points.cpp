@@ -50,7 +50,8 @@ bool faces(Point3d const& a, Point3d const& b, Point3d const& c, Point3d const& 
 {
   double const ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, vx = c.x - a.x, vy = c.y - a.y, vz = c.z - a.z;
   return (uy * vz - uz * vy) * (from.x - a.x) + (uz * vx - ux * vz) * (from.y - a.y) +
-           (ux * vy - uy * vx) * (from.z - a.z) > 0;
+           (ux * vy - uy * vx) * (from.z - a.z) >
+         0;
 }
 
 Aim aim_at_wall(Random& random, Prism const& prism, std::uint32_t index)
@@ -60,7 +61,8 @@ Aim aim_at_wall(Random& random, Prism const& prism, std::uint32_t index)
   std::uint32_t const part = random.below(n);
   auto const [a, b] = wall_ends(prism, part);
   double const t = border_biased(random);
-  return {0, {Face::Kind::wall, index, part},
+  return {0,
+          {Face::Kind::wall, index, part},
           {between(a.x, b.x, t), between(a.y, b.y, t), between(prism.bottom, prism.top, top_biased(random))}};
 }
 
@@ -73,7 +75,8 @@ Aim aim_at_facet(Random& random, ConvexPolyhedron const& p, std::uint32_t index,
     if (faces(p.vertices[v[0]], p.vertices[v[1]], p.vertices[v[2]], from)) break;
   }
   auto const& v = p.facets[part].vertices;
-  return {0, {Face::Kind::facet, index, part}, in_triangle(random, p.vertices[v[0]], p.vertices[v[1]], p.vertices[v[2]])};
+  return {
+    0, {Face::Kind::facet, index, part}, in_triangle(random, p.vertices[v[0]], p.vertices[v[1]], p.vertices[v[2]])};
 }
 
 /// The point of the sphere on the side of `from`, at a random angle; often near the outline.
@@ -82,10 +85,12 @@ Aim aim_at_ball(Random& random, Ball const& ball, std::uint32_t index, Point3d c
   Point3d const d = random.direction();
   double const gx = from.x - ball.centre.x, gy = from.y - ball.centre.y, gz = from.z - ball.centre.z;
   double const g = std::fmax(std::hypot(gx, gy, gz), 1e-300);
-  double const tilt = random.chance(0.5) ? random.unit() * 2 : std::fmin(ball.radius / g, 1.0) + random.log_uniform(1e-4, 1);
+  double const tilt =
+    random.chance(0.5) ? random.unit() * 2 : std::fmin(ball.radius / g, 1.0) + random.log_uniform(1e-4, 1);
   double const vx = d.x + tilt * gx / g, vy = d.y + tilt * gy / g, vz = d.z + tilt * gz / g;
   double const scale = ball.radius / std::fmax(std::hypot(vx, vy, vz), 1e-300);
-  return {0, {Face::Kind::sphere, index, 0},
+  return {0,
+          {Face::Kind::sphere, index, 0},
           {ball.centre.x + scale * vx, ball.centre.y + scale * vy, ball.centre.z + scale * vz}};
 }
 
@@ -113,8 +118,8 @@ Point3d on_outline(Random& random, Ball const& ball, Point3d const& from)
   double const gx = from.x - ball.centre.x, gy = from.y - ball.centre.y, gz = from.z - ball.centre.z;
   double const gg = std::fmax(gx * gx + gy * gy + gz * gz, 1e-300), along = (d.x * gx + d.y * gy + d.z * gz) / gg;
   double const px = d.x - along * gx, py = d.y - along * gy, pz = d.z - along * gz;
-  double const r = ball.radius, lift = r * r / gg, across = r * std::sqrt(std::fmax(0, 1 - lift)) /
-                                                            std::fmax(std::hypot(px, py, pz), 1e-300);
+  double const r = ball.radius, lift = r * r / gg,
+               across = r * std::sqrt(std::fmax(0, 1 - lift)) / std::fmax(std::hypot(px, py, pz), 1e-300);
   return {ball.centre.x + lift * gx + across * px, ball.centre.y + lift * gy + across * py,
           ball.centre.z + lift * gz + across * pz};
 }
@@ -137,7 +142,8 @@ Aim ObjectPoints::on_face(Random& random, std::uint32_t object, Point3d const& f
 {
   Scene const& s = scene_.scene();
   Object const& o = s.objects[object];
-  std::uint32_t k = random.below(o.boxes.size() + o.balls.size() + o.prisms.size() + o.polyhedra.size() + o.triangles.size());
+  std::uint32_t k =
+    random.below(o.boxes.size() + o.balls.size() + o.prisms.size() + o.polyhedra.size() + o.triangles.size());
   auto const in = [&k](IndexRange r) {
     if (k < r.size()) return true;
     k -= r.size();
@@ -161,7 +167,8 @@ Aim ObjectPoints::on_face(Random& random, std::uint32_t object, Point3d const& f
       std::uint32_t const t = random.below(piece.footprint.size() - 2);
       double const z = roof ? piece.top : piece.bottom;
       auto const corner = [&](std::size_t i) { return Point3d{piece.footprint[i].x, piece.footprint[i].y, z}; };
-      aim = {0, {roof ? Face::Kind::roof : Face::Kind::floor, body, t},
+      aim = {0,
+             {roof ? Face::Kind::roof : Face::Kind::floor, body, t},
              in_triangle(random, corner(0), corner(t + 1), corner(t + 2))};
     }
   } else if (in(o.polyhedra)) {
@@ -182,19 +189,19 @@ Edge ObjectPoints::edge(Random& random, std::uint32_t object, Point3d const& fro
   auto const own = bodies.bodies_of(object);
   auto const& body = own[random.below(own.size())];
   switch (body.kind) {
-    case Kind::box: return box_edge(random, bodies.box(body), upper);
-    case Kind::prism: return prism_edge(random, bodies.prism(body), upper);
-    case Kind::polyhedron: {
-      auto const& p = bodies.polyhedron(body);
-      auto const& e = p.edges[random.below(p.edges.size())];
-      return {p.vertices[e.from], p.vertices[e.to]};
-    }
-    case Kind::triangle: {
-      auto const v = bodies.triangle(body).vertices;
-      std::uint32_t const i = random.below(3U);
-      return {v[i], v[(i + 1) % 3]};
-    }
-    case Kind::ball: break;
+  case Kind::box: return box_edge(random, bodies.box(body), upper);
+  case Kind::prism: return prism_edge(random, bodies.prism(body), upper);
+  case Kind::polyhedron: {
+    auto const& p = bodies.polyhedron(body);
+    auto const& e = p.edges[random.below(p.edges.size())];
+    return {p.vertices[e.from], p.vertices[e.to]};
+  }
+  case Kind::triangle: {
+    auto const v = bodies.triangle(body).vertices;
+    std::uint32_t const i = random.below(3U);
+    return {v[i], v[(i + 1) % 3]};
+  }
+  case Kind::ball: break;
   }
   Point3d const p = on_outline(random, bodies.ball(body), from);
   return {p, p};

@@ -267,7 +267,8 @@ RayHit RayScene::first_hit(Point3d const& origin, Point3d const& direction) cons
   };
   RTCRayHit ray;
   ray.ray.org_x = o.x, ray.ray.org_y = o.y, ray.ray.org_z = o.z;
-  ray.ray.dir_x = component(direction.x), ray.ray.dir_y = component(direction.y), ray.ray.dir_z = component(direction.z);
+  ray.ray.dir_x = component(direction.x), ray.ray.dir_y = component(direction.y),
+  ray.ray.dir_z = component(direction.z);
   ray.ray.tnear = 0, ray.ray.tfar = far, ray.ray.time = 0;
   ray.ray.mask = ~0U, ray.ray.id = 0, ray.ray.flags = 0;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -284,24 +285,22 @@ RayHit RayScene::first_hit(Point3d const& origin, Point3d const& direction) cons
   };
   auto const i = ray.hit.primID;
   switch (ray.hit.geomID) {
-    case Parts::boxes:
-      out.object = parts_->box_object[i];
-      out.from_inside = ray.hit.u < 0;
-      out.face = {Face::Kind::box, i, out.from_inside ? 0 : static_cast<std::uint32_t>(ray.hit.u)};
-      break;
-    case Parts::balls:
-      out.object = parts_->ball_object[i];
-      out.from_inside = leaving();
-      out.face = {Face::Kind::sphere, i, 0};
-      break;
-    case Parts::solids:
-      out.object = parts_->solid_faces[i].object;
-      out.face = parts_->solid_faces[i].face;
-      out.from_inside = leaving();
-      break;
-    default:
-      out.object = parts_->triangle_object[i];
-      out.face = {Face::Kind::triangle, i, 0};
+  case Parts::boxes:
+    out.object = parts_->box_object[i];
+    out.from_inside = ray.hit.u < 0;
+    out.face = {Face::Kind::box, i, out.from_inside ? 0 : static_cast<std::uint32_t>(ray.hit.u)};
+    break;
+  case Parts::balls:
+    out.object = parts_->ball_object[i];
+    out.from_inside = leaving();
+    out.face = {Face::Kind::sphere, i, 0};
+    break;
+  case Parts::solids:
+    out.object = parts_->solid_faces[i].object;
+    out.face = parts_->solid_faces[i].face;
+    out.from_inside = leaving();
+    break;
+  default: out.object = parts_->triangle_object[i]; out.face = {Face::Kind::triangle, i, 0};
   }
   return out;
 }

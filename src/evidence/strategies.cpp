@@ -36,7 +36,8 @@ template <class T>
 T const& recent(Random& random, std::vector<T> const& list)
 {
   double const u = random.unit(), age = random.chance(0.5) ? u : u * u * u * u;
-  auto const back = std::min<std::size_t>(static_cast<std::size_t>(age * static_cast<double>(list.size())), list.size() - 1);
+  auto const back =
+    std::min<std::size_t>(static_cast<std::size_t>(age * static_cast<double>(list.size())), list.size() - 1);
   return list[list.size() - 1 - back];
 }
 
@@ -67,7 +68,8 @@ std::optional<std::uint32_t> Planner::neighbour(Random& random, std::uint32_t ob
   // Whatever meets a small box somewhere around the object: cheap, and no side is preferred.
   Box const& own = scene_.object_bounds()[object];
   double const grow = objects_.size(object) * random.log_uniform(0.02, 4), half = 0.25 * grow;
-  Point3d const c{random.uniform(own.min.x - grow, own.max.x + grow), random.uniform(own.min.y - grow, own.max.y + grow),
+  Point3d const c{random.uniform(own.min.x - grow, own.max.x + grow),
+                  random.uniform(own.min.y - grow, own.max.y + grow),
                   random.uniform(own.min.z - grow, own.max.z + grow)};
   Box const box{{c.x - half, c.y - half, c.z - half}, {c.x + half, c.y + half, c.z + half}};
   std::uint32_t seen = 0, chosen = 0;
@@ -153,30 +155,30 @@ Plan Planner::plan(Random& random, Strategy strategy) const
 {
   bool const anything_found = !knowledge_.found.empty(), anything_left = !knowledge_.unfound.empty();
   switch (strategy) {
-    case Strategy::uniform: break;
-    case Strategy::horizontal: return horizontal(random);
-    case Strategy::unfound:
-      if (anything_left) return at(random, some_unfound(random));
-      break;
-    case Strategy::neighbour:
-      if (!anything_found) break;
-      if (auto const n = neighbour(random, some_found(random), true)) return at(random, *n);
-      return past_edge(random, false);
-    case Strategy::silhouette:
-      if (anything_found) return past_edge(random, false);
-      break;
-    case Strategy::skyline:
-      if (anything_found) return past_edge(random, true);
-      break;
-    case Strategy::mutation:
-      if (!knowledge_.sightings.empty()) return mutated(random);
-      break;
-    case Strategy::critical:
-      if (anything_found) return critical(random);
-      break;
-    case Strategy::reverse:
-      if (!knowledge_.blocked.empty()) return reversed(random);
-      break;
+  case Strategy::uniform: break;
+  case Strategy::horizontal: return horizontal(random);
+  case Strategy::unfound:
+    if (anything_left) return at(random, some_unfound(random));
+    break;
+  case Strategy::neighbour:
+    if (!anything_found) break;
+    if (auto const n = neighbour(random, some_found(random), true)) return at(random, *n);
+    return past_edge(random, false);
+  case Strategy::silhouette:
+    if (anything_found) return past_edge(random, false);
+    break;
+  case Strategy::skyline:
+    if (anything_found) return past_edge(random, true);
+    break;
+  case Strategy::mutation:
+    if (!knowledge_.sightings.empty()) return mutated(random);
+    break;
+  case Strategy::critical:
+    if (anything_found) return critical(random);
+    break;
+  case Strategy::reverse:
+    if (!knowledge_.blocked.empty()) return reversed(random);
+    break;
   }
   return {cell_.any(random), random.direction(), {}};
 }

@@ -37,11 +37,11 @@ struct Knowledge {
     std::uint32_t wanted, blocker;
     Point3d from;
   };
-  std::vector<std::uint32_t> found;   ///< in the order found; starts with what was known
+  std::vector<std::uint32_t> found;    ///< in the order found; starts with what was known
   std::vector<std::uint32_t> unfound;  ///< may lag behind `wanted` by a few
-  std::vector<std::uint8_t> wanted;   ///< per object: not found yet
-  std::vector<Sighting> sightings;    ///< in the order found
-  std::vector<Blocked> blocked;       ///< recent tries in vain
+  std::vector<std::uint8_t> wanted;    ///< per object: not found yet
+  std::vector<Sighting> sightings;     ///< in the order found
+  std::vector<Blocked> blocked;        ///< recent tries in vain
 };
 
 /// The next ray to cast. An aimed ray that gets as far as its aim proposes it, whatever stands there.

@@ -77,13 +77,11 @@ Kind city()
   return {{"city",
            "grid of boxes and three-box towers, four buildings removed in the centre (Cohen-Or et al. 1998, section 6)",
            "city",
-           {seed(),
-            integer("n", 2500, 5, 10'000'000, "building sites, of which the central four stay free"),
+           {seed(), integer("n", 2500, 5, 10'000'000, "building sites, of which the central four stay free"),
             number("triples", 414.0 / 2496, 0, 1, "share of buildings that are towers of three boxes"),
             number("base", 100, 0.001, 1e6, "side of the square bases, m"),
             number("street", 100, 0.001, 1e6, "width of the streets, m"),
-            number("low", 200, 0.001, 1e6, "least height, m"),
-            number("high", 900, 0.001, 1e6, "greatest height, m")}},
+            number("low", 200, 0.001, 1e6, "least height, m"), number("high", 900, 0.001, 1e6, "greatest height, m")}},
           make_city};
 }
 

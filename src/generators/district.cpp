@@ -87,19 +87,20 @@ void make_district(Parameters const& p, SceneBuilder& scene)
 
 Kind district()
 {
-  return {{"district", "town houses with windows, roofs and chimneys, replicable (Durand et al. 2000, section 7.1)",
-           "district,copies=12",
-           {seed(), integer("n", 100, 1, 100'000, "houses of one district"),
-            integer("copies", 1, 1, 10'000, "copies of the district, side by side"),
-            number("rotation", 0, -180, 180, "turn of the whole town about the vertical, degrees"),
-            number("lot", 22, 16, 1000, "side of the square lots, m; a house leaves at least 2 m on each side"),
-            integer("block", 5, 1, 1000, "lots along the side of a block"),
-            number("street", 14, 0, 1e4, "width of the streets between blocks, m"),
-            integer("low", 4, 1, 100, "least number of floors"),
-            integer("high", 8, 1, 100, "greatest number of floors"),
-            number("windows", 0.9, 0, 1, "share of the bays that have a window"),
-            number("recess", 0.2, 0.001, 0.8, "depth of the windows behind the wall, m")}},
-          make_district};
+  return {
+    {"district",
+     "town houses with windows, roofs and chimneys, replicable (Durand et al. 2000, section 7.1)",
+     "district,copies=12",
+     {seed(), integer("n", 100, 1, 100'000, "houses of one district"),
+      integer("copies", 1, 1, 10'000, "copies of the district, side by side"),
+      number("rotation", 0, -180, 180, "turn of the whole town about the vertical, degrees"),
+      number("lot", 22, 16, 1000, "side of the square lots, m; a house leaves at least 2 m on each side"),
+      integer("block", 5, 1, 1000, "lots along the side of a block"),
+      number("street", 14, 0, 1e4, "width of the streets between blocks, m"),
+      integer("low", 4, 1, 100, "least number of floors"), integer("high", 8, 1, 100, "greatest number of floors"),
+      number("windows", 0.9, 0, 1, "share of the bays that have a window"),
+      number("recess", 0.2, 0.001, 0.8, "depth of the windows behind the wall, m")}},
+    make_district};
 }
 
 }  // namespace visibility::generators

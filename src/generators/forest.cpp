@@ -35,8 +35,8 @@ void add_leaf(SceneBuilder& scene, Random& random, Crown const& crown, double le
   for (;;) {
     Point3d const c = crown.at(in_unit_ball(random));
     Rotation const turn = any_rotation(random);
-    std::array<Point3d, 3> corners{{{leaf, 0, 0}, {-leaf / 2, leaf * 0.8660254037844386, 0},
-                                    {-leaf / 2, -leaf * 0.8660254037844386, 0}}};
+    std::array<Point3d, 3> corners{
+      {{leaf, 0, 0}, {-leaf / 2, leaf * 0.8660254037844386, 0}, {-leaf / 2, -leaf * 0.8660254037844386, 0}}};
     bool inside = true;
     for (auto& v : corners) {
       v = turn(v);
@@ -98,16 +98,18 @@ void make_forest(Parameters const& p, SceneBuilder& scene)
 
 Kind forest()
 {
-  return {{"forest", "trees of 1,000 loose leaf triangles each (Durand et al. 2000, section 7.2)", "forest,n=7750",
-           {seed(), integer("n", 250, 1, 1'000'000, "trees"),
-            integer("leaves", 1000, 1, 100'000, "leaf triangles of a tree"),
-            integer("trunk", 0, 0, 1, "1: each tree has a trunk of 20 triangles too"),
-            number("spacing", 6, 0.01, 1e5, "side of the square site of each tree, m"),
-            number("jitter", 0.8, 0, 1, "how far a tree may stand off the middle of its site, 1: anywhere in it"),
-            number("height", 9, 0.1, 1e4, "height of a tree, m, before the scaling by 0.75 to 1.25"),
-            number("radius", 2.5, 0.1, 1e4, "horizontal radius of a crown, m, before the scaling"),
-            number("leaf", 0.3, 0.0001, 1e3, "circumradius of a leaf, m")}},
-          make_forest};
+  return {
+    {"forest",
+     "trees of 1,000 loose leaf triangles each (Durand et al. 2000, section 7.2)",
+     "forest,n=7750",
+     {seed(), integer("n", 250, 1, 1'000'000, "trees"), integer("leaves", 1000, 1, 100'000, "leaf triangles of a tree"),
+      integer("trunk", 0, 0, 1, "1: each tree has a trunk of 20 triangles too"),
+      number("spacing", 6, 0.01, 1e5, "side of the square site of each tree, m"),
+      number("jitter", 0.8, 0, 1, "how far a tree may stand off the middle of its site, 1: anywhere in it"),
+      number("height", 9, 0.1, 1e4, "height of a tree, m, before the scaling by 0.75 to 1.25"),
+      number("radius", 2.5, 0.1, 1e4, "horizontal radius of a crown, m, before the scaling"),
+      number("leaf", 0.3, 0.0001, 1e3, "circumradius of a leaf, m")}},
+    make_forest};
 }
 
 }  // namespace visibility::generators

@@ -11,13 +11,13 @@ namespace visibility::generators {
 /// A town house in its own frame: the plan is [-length/2, length/2] x [-width/2, width/2], the ground z = 0, the ridge
 /// along x.
 struct House {
-  double length = 0, width = 0, storey = 0;          ///< m
-  std::uint32_t floors = 0;                          ///< at least 1
-  std::uint32_t bays_along = 0, bays_across = 0;     ///< of the facades along x and along y, at least 1
-  double recess = 0;                                 ///< depth of the windows, m, less than a third of a bay
-  double roof = 0, hip = 0;                          ///< height of the ridge above the eaves; its distance to each end
-  std::vector<Box> chimneys;                         ///< solids of their own that start inside the house
-  std::function<bool()> window;                      ///< asked once for every bay of every floor
+  double length = 0, width = 0, storey = 0;       ///< m
+  std::uint32_t floors = 0;                       ///< at least 1
+  std::uint32_t bays_along = 0, bays_across = 0;  ///< of the facades along x and along y, at least 1
+  double recess = 0;                              ///< depth of the windows, m, less than a third of a bay
+  double roof = 0, hip = 0;                       ///< height of the ridge above the eaves; its distance to each end
+  std::vector<Box> chimneys;                      ///< solids of their own that start inside the house
+  std::function<bool()> window;                   ///< asked once for every bay of every floor
 };
 
 /// Where the frame stands in the scene.

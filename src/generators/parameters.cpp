@@ -62,8 +62,7 @@ Parameters::Parameters(GeneratorKind const& kind, std::string_view text) : kind_
     auto const item = text.substr(0, text.find(','));
     text.remove_prefix(item.size());
     auto const equals = item.find('=');
-    if (equals == std::string_view::npos || equals == 0)
-      fail(quoted(item) + " is not key=value; keys: " + names(kind));
+    if (equals == std::string_view::npos || equals == 0) fail(quoted(item) + " is not key=value; keys: " + names(kind));
     auto const key = item.substr(0, equals);
     auto const i = index(key);
     if (i == values_.size()) fail(quoted(key) + " is not a key; keys: " + names(kind));

@@ -16,7 +16,7 @@ public:
   /// `text` is what follows the kind: empty or ",key=value,...". Throws BadInput. Keeps a reference to `kind`.
   Parameters(GeneratorKind const& kind, std::string_view text);
 
-  double number(std::string_view name) const;         ///< throws std::logic_error if the kind has no such parameter
+  double number(std::string_view name) const;          ///< throws std::logic_error if the kind has no such parameter
   std::uint64_t integer(std::string_view name) const;  ///< the same; requires: min >= 0
   std::uint64_t seed() const { return integer("seed"); }
 

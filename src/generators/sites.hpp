@@ -22,10 +22,10 @@ inline Site ring_site(std::uint64_t index)
   auto const r = static_cast<std::int64_t>(index) - 4 * k * k;  // place in the ring of 4 sides of 2k+1 cells
   auto const along = r % (2 * k + 1), back = -k - 1;
   switch (r / (2 * k + 1)) {
-    case 0: return {back + along, back};
-    case 1: return {k, back + along};
-    case 2: return {k - along, k};
-    default: return {back, k - along};
+  case 0: return {back + along, back};
+  case 1: return {k, back + along};
+  case 2: return {k - along, k};
+  default: return {back, k - along};
   }
 }
 

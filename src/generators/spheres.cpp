@@ -36,8 +36,7 @@ void make_balls(Parameters const& p, SceneBuilder& scene, int dimension)
 
 std::vector<GeneratorParameter> parameters(double n, double most)
 {
-  return {seed(),
-          integer("n", n, 2, most, "balls along each side of the grid"),
+  return {seed(), integer("n", n, 2, most, "balls along each side of the grid"),
           number("radius", 50, 0.001, 1e6, "radius, m"),
           number("spacing", 200, 0.002, 1e7, "side of the grid cells, each with one ball inside, m"),
           number("jitter", 1, 0, 1, "how much of the room in its cell a ball uses")};

@@ -16,10 +16,7 @@ struct Rectangle {
   Point2d min, max;
 };
 
-Rectangle shrunk(Rectangle const& r, double by)
-{
-  return {{r.min.x + by, r.min.y + by}, {r.max.x - by, r.max.y - by}};
-}
+Rectangle shrunk(Rectangle const& r, double by) { return {{r.min.x + by, r.min.y + by}, {r.max.x - by, r.max.y - by}}; }
 
 struct Building {
   std::vector<Rectangle> parts;
@@ -206,7 +203,8 @@ Kind urban()
            "turned buildings of H, T and plain plan with floors and parking decks along avenues (Leyvand et al. 2003, "
            "section 6)",
            "urban,n=120350",
-           {seed(), integer("n", 2000, 1, 10'000'000, "buildings"),
+           {seed(),
+            integer("n", 2000, 1, 10'000'000, "buildings"),
             number("density", 0.8, 0.01, 1, "share of the lots that are built on"),
             number("regularity", 0.5, 0, 1, "1: buildings stand in the middle of their lots, 0: anywhere that fits"),
             number("rotation", 30, 0, 90, "greatest turn about the vertical, degrees"),

@@ -102,9 +102,18 @@ ConvexPolyhedron ConvexPolyhedron::hull(std::span<Point3d const> points)
 ConvexPolyhedron ConvexPolyhedron::from_box(Box const& box)
 {
   auto const c = box.corners();
-  static constexpr std::array<std::array<Index, 3>, 12> facets{{{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6},
-                                                                {0, 1, 5}, {0, 5, 4}, {2, 6, 7}, {2, 7, 3},
-                                                                {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}}};
+  static constexpr std::array<std::array<Index, 3>, 12> facets{{{0, 2, 3},
+                                                                {0, 3, 1},
+                                                                {4, 5, 7},
+                                                                {4, 7, 6},
+                                                                {0, 1, 5},
+                                                                {0, 5, 4},
+                                                                {2, 6, 7},
+                                                                {2, 7, 3},
+                                                                {0, 4, 6},
+                                                                {0, 6, 2},
+                                                                {1, 3, 7},
+                                                                {1, 7, 5}}};
   return from_facets({c.begin(), c.end()}, facets);
 }
 

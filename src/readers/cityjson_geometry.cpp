@@ -17,14 +17,16 @@ DecimalTransform axis_transform(JsonValue const& transform, std::size_t axis, st
 {
   auto const part = [&](char const* key) {
     auto const& list = transform.list(key);
-    auto const d = list.size() == 3 && list[axis].as_number() ? Decimal::parse(list[axis].decimal_text()) : std::nullopt;
+    auto const d =
+      list.size() == 3 && list[axis].as_number() ? Decimal::parse(list[axis].decimal_text()) : std::nullopt;
     if (!d) fail(source, "transform", std::string("'") + key + "' must be three numbers of ordinary size");
     return *d;
   };
   return {part("scale"), part("translate")};
 }
 
-double coordinate(JsonValue const& value, DecimalTransform const* transform, std::string const& source, std::string const& where)
+double coordinate(JsonValue const& value, DecimalTransform const* transform, std::string const& source,
+                  std::string const& where)
 {
   auto const number = value.as_number();
   if (!number) fail(source, where, "a vertex must be three numbers");
@@ -67,14 +69,16 @@ std::vector<Point3d> read_points(JsonValue::Array const& list, std::array<Decima
 
 }  // namespace
 
-std::vector<Point3d> CityJsonVertices::read(JsonValue const& document, JsonValue const* transform, std::string const& source,
-                                            std::string const& where)
+std::vector<Point3d> CityJsonVertices::read(JsonValue const& document, JsonValue const* transform,
+                                            std::string const& source, std::string const& where)
 {
   auto const* vertices = document.find("vertices");
   if (vertices == nullptr || vertices->as_array() == nullptr)
-    fail(source, where.empty() ? where : where.substr(0, where.size() - 2), "has no list 'vertices'; is the file complete?");
+    fail(source, where.empty() ? where : where.substr(0, where.size() - 2),
+         "has no list 'vertices'; is the file complete?");
   if (transform == nullptr || transform->is_null()) return read_points(*vertices->as_array(), nullptr, source, where);
-  std::array<DecimalTransform, 3> const axes{axis_transform(*transform, 0, source), axis_transform(*transform, 1, source),
+  std::array<DecimalTransform, 3> const axes{axis_transform(*transform, 0, source),
+                                             axis_transform(*transform, 1, source),
                                              axis_transform(*transform, 2, source)};
   return read_points(*vertices->as_array(), &axes, source, where);
 }
@@ -99,8 +103,8 @@ double level_of_detail(JsonValue const& geometry)
   return 1;
 }
 
-void CityJsonSurfaces::add(JsonValue const& geometry, std::vector<Point3d> const& vertices, CityJsonTemplates const& templates,
-                           std::string const& object)
+void CityJsonSurfaces::add(JsonValue const& geometry, std::vector<Point3d> const& vertices,
+                           CityJsonTemplates const& templates, std::string const& object)
 {
   auto const type = geometry.text("type");
   if (type == "GeometryInstance") return add_instance(geometry, vertices, templates, object);
@@ -120,7 +124,8 @@ void CityJsonSurfaces::add(JsonValue const& geometry, std::vector<Point3d> const
 void CityJsonSurfaces::add_nested(JsonValue const& boundaries, int depth, std::vector<Point3d> const& vertices,
                                   std::string const& object)
 {
-  if (boundaries.as_array() == nullptr) fail(source_, object_place(object), "boundaries must be nested lists of vertex numbers");
+  if (boundaries.as_array() == nullptr)
+    fail(source_, object_place(object), "boundaries must be nested lists of vertex numbers");
   for (auto const& part : *boundaries.as_array())
     if (depth > 1)
       add_nested(part, depth - 1, vertices, object);
@@ -128,7 +133,8 @@ void CityJsonSurfaces::add_nested(JsonValue const& boundaries, int depth, std::v
       add_surface(part, vertices, object);
 }
 
-void CityJsonSurfaces::add_surface(JsonValue const& surface, std::vector<Point3d> const& vertices, std::string const& object)
+void CityJsonSurfaces::add_surface(JsonValue const& surface, std::vector<Point3d> const& vertices,
+                                   std::string const& object)
 {
   if (surface.as_array() == nullptr) fail(source_, object_place(object), "a surface must be a list of rings");
   rings_.clear();
@@ -138,8 +144,9 @@ void CityJsonSurfaces::add_surface(JsonValue const& surface, std::vector<Point3d
     for (auto const& corner : *ring.as_array()) {
       auto const i = corner.as_number();
       if (!i || !(*i >= 0) || !(*i < static_cast<double>(vertices.size())) || *i != std::floor(*i))
-        fail(source_, object_place(object), "a ring names vertex " + (i ? shortest(*i) : "that is no number") + ", but there are " +
-                                              std::to_string(vertices.size()));
+        fail(source_, object_place(object),
+             "a ring names vertex " + (i ? shortest(*i) : "that is no number") + ", but there are " +
+               std::to_string(vertices.size()));
       out.push_back(static_cast<VertexIndex>(*i));
     }
     drop_repeats(vertices, out);
@@ -173,7 +180,8 @@ void CityJsonSurfaces::add_instance(JsonValue const& geometry, std::vector<Point
   if (!index || !(*index >= 0) || !(*index < static_cast<double>(templates.geometries.size())))
     fail(source_, place, "names a geometry template that the file does not have");
   auto const& shape = *templates.geometries[static_cast<std::size_t>(*index)];
-  if (shape.text("type") == "GeometryInstance") fail(source_, place, "a geometry template must not be an instance itself");
+  if (shape.text("type") == "GeometryInstance")
+    fail(source_, place, "a geometry template must not be an instance itself");
 
   auto const& anchor = geometry.list("boundaries");
   auto const at = anchor.size() == 1 ? anchor[0].as_number() : std::nullopt;
@@ -206,7 +214,8 @@ void CityJsonSurfaces::add_instance(JsonValue const& geometry, std::vector<Point
 void CityJsonSurfaces::note() const
 {
   dropped_.note(builder_);
-  if (unknown_ > 0) builder_.note(std::to_string(unknown_) + " geometries that are neither surfaces nor solids left out");
+  if (unknown_ > 0)
+    builder_.note(std::to_string(unknown_) + " geometries that are neither surfaces nor solids left out");
 }
 
 }  // namespace visibility::readers

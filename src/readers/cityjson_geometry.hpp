@@ -46,7 +46,8 @@ public:
 private:
   void add_instance(JsonValue const& geometry, std::vector<Point3d> const& vertices, CityJsonTemplates const& templates,
                     std::string const& object);
-  void add_nested(JsonValue const& boundaries, int depth, std::vector<Point3d> const& vertices, std::string const& object);
+  void add_nested(JsonValue const& boundaries, int depth, std::vector<Point3d> const& vertices,
+                  std::string const& object);
   void add_surface(JsonValue const& rings, std::vector<Point3d> const& vertices, std::string const& object);
   VertexIndex scene_vertex(VertexIndex i, std::vector<Point3d> const& vertices);
 

@@ -22,7 +22,9 @@ public:
   {
     auto const version = first.text("version");
     if (!version.starts_with("1.") && !version.starts_with("2."))
-      fail(source, {}, "CityJSON version '" + std::string(version) + "' cannot be read (1.0, 1.1 and 2.0 can); upgrade it with cjio");
+      fail(source, {},
+           "CityJSON version '" + std::string(version) +
+             "' cannot be read (1.0, 1.1 and 2.0 can); upgrade it with cjio");
     templates_ = CityJsonTemplates::read(first, source);
     transform_ = first.find("transform");
   }
@@ -32,7 +34,8 @@ public:
   {
     auto const* objects = document.find("CityObjects");
     if (objects == nullptr || objects->as_object() == nullptr)
-      fail(source_, where.empty() ? where : where.substr(0, where.size() - 2), "has no 'CityObjects'; is the file complete?");
+      fail(source_, where.empty() ? where : where.substr(0, where.size() - 2),
+           "has no 'CityObjects'; is the file complete?");
     auto const vertices = CityJsonVertices::read(document, transform_, source_, where);
     surfaces_.new_vertices();
     for (auto const& [id, object] : *objects->as_object()) read_object(id, object, vertices);
@@ -42,8 +45,10 @@ public:
   {
     for (auto const& [type, count] : skipped_)
       builder_.note(std::to_string(count) + " objects of type " + printable(type) + " skipped");
-    if (without_geometry_ > 0) builder_.note(std::to_string(without_geometry_) + " building objects without own geometry");
-    if (footprints_ > 0) builder_.note(std::to_string(footprints_) + " building objects with a footprint (LoD 0) only skipped");
+    if (without_geometry_ > 0)
+      builder_.note(std::to_string(without_geometry_) + " building objects without own geometry");
+    if (footprints_ > 0)
+      builder_.note(std::to_string(footprints_) + " building objects with a footprint (LoD 0) only skipped");
     surfaces_.note();
     return builder_.finish();
   }

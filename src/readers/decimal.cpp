@@ -44,7 +44,8 @@ std::optional<Decimal> Decimal::parse(std::string_view text)
     if (exponent.starts_with('+')) exponent.remove_prefix(1);
     long e = 0;
     auto const r = std::from_chars(exponent.data(), exponent.data() + exponent.size(), e);
-    if (r.ec != std::errc() || r.ptr != exponent.data() + exponent.size() || std::labs(e) > max_exponent) return std::nullopt;
+    if (r.ec != std::errc() || r.ptr != exponent.data() + exponent.size() || std::labs(e) > max_exponent)
+      return std::nullopt;
     d.exponent += e;
   }
   digits.erase(0, std::min(digits.find_first_not_of('0'), digits.size() - 1));  // "012" would be octal
@@ -76,8 +77,8 @@ DecimalTransform::DecimalTransform(Decimal const& scale, Decimal const& translat
 double DecimalTransform::operator()(std::int64_t index) const
 {
   std::int64_t sum = 0;
-  if (fits_ && !__builtin_mul_overflow(index, small_scale_, &sum) && !__builtin_add_overflow(sum, small_translate_, &sum) &&
-      -exact_limit <= sum && sum <= exact_limit)
+  if (fits_ && !__builtin_mul_overflow(index, small_scale_, &sum) &&
+      !__builtin_add_overflow(sum, small_translate_, &sum) && -exact_limit <= sum && sum <= exact_limit)
     return static_cast<double>(sum) / power_;
   return Decimal{index * scale_ + translate_, exponent_}.nearest();
 }

@@ -11,22 +11,31 @@ namespace {
 
 // In the order they are tried. docs/readers.md repeats the lists.
 constexpr std::string_view height_names[] = {
-  "height", "h", "HAUTEUR", "hauteur", "measuredHeight", "measured_height", "building:height", "render_height", "Height",
-  "HEIGHT", "roof_height", "building_height", "heightroof", "HEIGHTROOF", "ROOF_HEIGHT", "hoehe", "altura", "bldg_height",
-  "BLDG_HT", "fill-extrusion-height"};
-constexpr std::string_view level_names[] = {"building:levels", "levels", "num_floors", "NB_ETAGES", "storeysAboveGround"};
+  "height",        "h",      "HAUTEUR", "hauteur",     "measuredHeight",  "measured_height",      "building:height",
+  "render_height", "Height", "HEIGHT",  "roof_height", "building_height", "heightroof",           "HEIGHTROOF",
+  "ROOF_HEIGHT",   "hoehe",  "altura",  "bldg_height", "BLDG_HT",         "fill-extrusion-height"};
+constexpr std::string_view level_names[] = {"building:levels", "levels", "num_floors", "NB_ETAGES",
+                                            "storeysAboveGround"};
 
 struct GroundName {
   std::string_view name;
   bool height_starts_here;
   double factor;
 };
-constexpr GroundName ground_names[] = {
-  {"Z_MIN_SOL", true, 1},      {"ground", true, 1},           {"ground_height", true, 1},
-  {"ground_elevation", true, 1}, {"groundelev", true, 1},      {"GROUNDELEV", true, 1},
-  {"z_ground", true, 1},       {"base_elevation", true, 1},   {"base_height", false, 1},
-  {"min_height", false, 1},    {"render_min_height", false, 1}, {"building:min_height", false, 1},
-  {"fill-extrusion-base", false, 1}, {"building:min_level", false, FootprintHeights::metres_per_level}};
+constexpr GroundName ground_names[] = {{"Z_MIN_SOL", true, 1},
+                                       {"ground", true, 1},
+                                       {"ground_height", true, 1},
+                                       {"ground_elevation", true, 1},
+                                       {"groundelev", true, 1},
+                                       {"GROUNDELEV", true, 1},
+                                       {"z_ground", true, 1},
+                                       {"base_elevation", true, 1},
+                                       {"base_height", false, 1},
+                                       {"min_height", false, 1},
+                                       {"render_min_height", false, 1},
+                                       {"building:min_height", false, 1},
+                                       {"fill-extrusion-base", false, 1},
+                                       {"building:min_level", false, FootprintHeights::metres_per_level}};
 
 /// A finite number, also one written as text and followed by the unit metre.
 std::optional<double> metres(JsonValue const* value)

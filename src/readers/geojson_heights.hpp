@@ -28,7 +28,7 @@ public:
   /// Names of properties that were there when no height was found, "a, b, c".
   std::string seen() const;
   std::size_t from_levels() const { return from_levels_; }  ///< heights that are a number of storeys times 3 m
-  std::string used() const;  ///< "height from h; ground from Z_MIN_SOL"
+  std::string used() const;                                 ///< "height from h; ground from Z_MIN_SOL"
 
   static constexpr double metres_per_level = 3;
 

@@ -33,13 +33,15 @@ struct Extent {
 ReferenceSystem classify_reference_system(std::string_view name)
 {
   if (name.empty()) return ReferenceSystem::none;
-  if (name.find("CRS84") != std::string_view::npos || name.find("CRS:84") != std::string_view::npos) return ReferenceSystem::degrees;
+  if (name.find("CRS84") != std::string_view::npos || name.find("CRS:84") != std::string_view::npos)
+    return ReferenceSystem::degrees;
   auto const digits = name.find_last_not_of("0123456789");
   auto const code = digits == std::string_view::npos ? name : name.substr(digits + 1);
   // Geographic systems in use: WGS 84, ETRS89, NAD83, RGF93, JGD2000, JGD2011, SIRGAS 2000, CGCS2000, GDA94, GDA2020.
-  constexpr std::string_view geographic[] = {"4326", "4979", "4258", "4937", "4269", "4171", "4612", "6668",
-                                             "6697", "4674", "4490", "4283", "7844"};
-  return std::ranges::find(geographic, code) != std::end(geographic) ? ReferenceSystem::degrees : ReferenceSystem::metres;
+  constexpr std::string_view geographic[] = {"4326", "4979", "4258", "4937", "4269", "4171", "4612",
+                                             "6668", "6697", "4674", "4490", "4283", "7844"};
+  return std::ranges::find(geographic, code) != std::end(geographic) ? ReferenceSystem::degrees
+                                                                     : ReferenceSystem::metres;
 }
 
 bool are_degrees(std::span<Prism const> prisms, ReferenceSystem system, CoordinateUnit wish)
@@ -47,7 +49,8 @@ bool are_degrees(std::span<Prism const> prisms, ReferenceSystem system, Coordina
   if (wish != CoordinateUnit::automatic) return wish == CoordinateUnit::degrees;
   if (system != ReferenceSystem::none) return system == ReferenceSystem::degrees;
   bool on_globe = true;
-  for_each_point(prisms, [&](Point2d const& v) { on_globe = on_globe && std::fabs(v.x) <= 180 && std::fabs(v.y) <= 90; });
+  for_each_point(prisms,
+                 [&](Point2d const& v) { on_globe = on_globe && std::fabs(v.x) <= 180 && std::fabs(v.y) <= 90; });
   if (!on_globe || prisms.empty()) return false;
   std::vector<double> widths;
   for (auto const& p : prisms) {
@@ -66,7 +69,8 @@ std::string project(std::span<Prism> prisms)
   for_each_point(prisms, [&](Point2d const& v) { e.extend(v); });
   // Any origin is valid; a short decimal is easy to repeat elsewhere.
   auto const short_decimal = [](double degrees) { return std::round(degrees * 1e4) / 1e4; };
-  double const lambda = short_decimal(0.5 * e.min_x + 0.5 * e.max_x), phi = short_decimal(0.5 * e.min_y + 0.5 * e.max_y);
+  double const lambda = short_decimal(0.5 * e.min_x + 0.5 * e.max_x),
+               phi = short_decimal(0.5 * e.min_y + 0.5 * e.max_y);
   constexpr double radian = std::numbers::pi / 180;
   constexpr double a = 6378137, flattening = 1 / 298.257223563;  // WGS 84
   constexpr double e2 = flattening * (2 - flattening);

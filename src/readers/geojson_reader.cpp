@@ -11,11 +11,15 @@ namespace visibility::readers {
 
 namespace {
 
-constexpr std::string_view name_properties[] = {"id", "ID", "@id", "name", "Name", "NAME", "bldg", "osm_id", "gml_id", "fid"};
+constexpr std::string_view name_properties[] = {"id",   "ID",   "@id",    "name",   "Name",
+                                                "NAME", "bldg", "osm_id", "gml_id", "fid"};
 
 class GeoJsonReader {
 public:
-  GeoJsonReader(std::string const& source, ReadOptions const& options) : source_(source), options_(options), heights_(options) {}
+  GeoJsonReader(std::string const& source, ReadOptions const& options)
+    : source_(source), options_(options), heights_(options)
+  {
+  }
 
   /// A FeatureCollection, a Feature or a bare geometry.
   void document(JsonValue const& value, std::size_t line)
@@ -26,7 +30,8 @@ public:
     if (type == "FeatureCollection") {
       auto const* features = value.find("features");
       if (features == nullptr || features->as_array() == nullptr)
-        fail(source_, "line " + std::to_string(line), "a FeatureCollection without a list 'features'; is the file complete?");
+        fail(source_, "line " + std::to_string(line),
+             "a FeatureCollection without a list 'features'; is the file complete?");
       in_collection_ = true;
       for (auto const& f : *features->as_array()) feature(f);
     } else if (type == "Feature") {
@@ -228,7 +233,8 @@ private:
         for (auto const& v : ring)
           if (!(std::fabs(v.x) <= 360 && std::fabs(v.y) <= 90))
             fail(source_, "object '" + object_of(i) + "'",
-                 "a position is no longitude and latitude: " + shortest(v.x) + ", " + shortest(v.y) + "; read it as metres");
+                 "a position is no longitude and latitude: " + shortest(v.x) + ", " + shortest(v.y) +
+                   "; read it as metres");
   }
 
   void notes(SceneBuilder& builder) const
@@ -246,8 +252,9 @@ private:
   [[noreturn]] void no_heights() const
   {
     auto const& wanted = options_.height_property;
-    fail(source_, {}, (wanted.empty() ? "no feature has a height" : "no feature has a height in property '" + wanted + "'") +
-                        "; name the property that holds it (properties seen: " + heights_.seen() + ")");
+    fail(source_, {},
+         (wanted.empty() ? "no feature has a height" : "no feature has a height in property '" + wanted + "'") +
+           "; name the property that holds it (properties seen: " + heights_.seen() + ")");
   }
 
   std::string source_;

@@ -79,8 +79,10 @@ public:
   bool parse_error(std::size_t, std::string const&, nlohmann::json::exception const& e)
   {
     std::string_view what = e.what();  // "[json.exception.parse_error.101] parse error at line 1, column 2: details"
-    if (auto const colon = what.find(": "); colon != std::string_view::npos) what.remove_prefix(colon + 2);
-    else if (auto const bracket = what.find("] "); bracket != std::string_view::npos) what.remove_prefix(bracket + 2);
+    if (auto const colon = what.find(": "); colon != std::string_view::npos)
+      what.remove_prefix(colon + 2);
+    else if (auto const bracket = what.find("] "); bracket != std::string_view::npos)
+      what.remove_prefix(bracket + 2);
     error = "not valid JSON: " + std::string(what);
     return false;
   }

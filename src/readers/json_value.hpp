@@ -35,9 +35,9 @@ public:
   std::string const* as_string() const { return pointer<std::string>(); }
   Array* as_array() { return const_cast<Array*>(pointer<Array>()); }
   Object* as_object() { return const_cast<Object*>(pointer<Object>()); }
-  std::optional<double> as_number() const;   ///< the nearest double
+  std::optional<double> as_number() const;  ///< the nearest double
   std::optional<bool> as_bool() const;
-  std::string decimal_text() const;          ///< of a number: a decimal of exactly the value written
+  std::string decimal_text() const;  ///< of a number: a decimal of exactly the value written
 
   /// The member of an object; nullptr if there is none or this is not an object. Of repeated keys the last counts.
   JsonValue const* find(std::string_view key) const;
@@ -52,7 +52,9 @@ private:
     double value;
   };
   template <class T>
-  explicit JsonValue(std::unique_ptr<T> p) : value_(std::move(p)) {}
+  explicit JsonValue(std::unique_ptr<T> p) : value_(std::move(p))
+  {
+  }
   template <class T>
   T const* pointer() const
   {

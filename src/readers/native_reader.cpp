@@ -15,9 +15,11 @@ public:
   Scene read(JsonValue const& document)
   {
     if (document.text("format") != "visibility-scene/1")
-      fail(source_, {}, "unknown format '" + std::string(document.text("format")) + "'; this version reads visibility-scene/1");
+      fail(source_, {},
+           "unknown format '" + std::string(document.text("format")) + "'; this version reads visibility-scene/1");
     auto const vertices = numbers(document.find("vertices"), 3, "vertices");
-    for (std::size_t i = 0; i < vertices.size(); i += 3) builder_.add_vertex({vertices[i], vertices[i + 1], vertices[i + 2]});
+    for (std::size_t i = 0; i < vertices.size(); i += 3)
+      builder_.add_vertex({vertices[i], vertices[i + 1], vertices[i + 2]});
     vertex_count_ = vertices.size() / 3;
     for (auto const& note : document.list("notes"))
       if (auto const* text = note.as_string()) builder_.note(*text);
@@ -65,7 +67,8 @@ private:
     name_ = object.text("name").empty() ? "object " + std::to_string(objects_) : object.text("name");
     if (object.as_object() == nullptr) bad("is not an object");
     for (auto const& [key, value] : *object.as_object())
-      if (key != "name" && key != "boxes" && key != "balls" && key != "prisms" && key != "polyhedra" && key != "triangles")
+      if (key != "name" && key != "boxes" && key != "balls" && key != "prisms" && key != "polyhedra" &&
+          key != "triangles")
         bad("unknown kind '" + key + "' (boxes, balls, prisms, polyhedra and triangles are known)");
     builder_.begin_object(name_);
     auto const boxes = numbers(object.find("boxes"), 6, "boxes");

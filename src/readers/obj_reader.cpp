@@ -1,6 +1,6 @@
-// Wavefront OBJ. Not through tinyobjloader or Assimp: both hand out single precision (tinyobjloader in double mode still
-// parses by repeated multiplication, off by an ulp or more), and the input of an exact library is the nearest double.
-// What the format asks of a reader of geometry fits on two pages.
+// Wavefront OBJ. Not through tinyobjloader or Assimp: both hand out single precision (tinyobjloader in double mode
+// still parses by repeated multiplication, off by an ulp or more), and the input of an exact library is the nearest
+// double. What the format asks of a reader of geometry fits on two pages.
 #include "numbers.hpp"
 #include "polygon_triangulation.hpp"
 #include "readers.hpp"
@@ -15,9 +15,10 @@ namespace {
 
 /// Words that may occur and do not matter here: appearance, free-form curves, display attributes.
 constexpr std::string_view ignored_words[] = {
-  "vt", "vn", "vp", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "l", "p", "lod", "bevel", "c_interp", "d_interp",
-  "shadow_obj", "trace_obj", "deg", "bmat", "step", "cstype", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv",
-  "sp", "end", "con", "ctech", "stech", "call", "csh"};
+  "vt",   "vn",   "vp",     "s",     "mg",       "usemtl",   "mtllib",     "usemap",    "maplib",
+  "l",    "p",    "lod",    "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "deg",
+  "bmat", "step", "cstype", "curv",  "curv2",    "surf",     "parm",       "trim",      "hole",
+  "scrv", "sp",   "end",    "con",   "ctech",    "stech",    "call",       "csh"};
 constexpr std::string_view unread_shapes[] = {"l", "p", "curv", "surf"};
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
@@ -179,7 +180,8 @@ private:
     auto const r = std::from_chars(word.data(), word.data() + word.size(), index);
     bool const well_formed = r.ec == std::errc() && (r.ptr == word.data() + word.size() || *r.ptr == '/') &&
                              word.find_first_not_of("0123456789-/") == std::string_view::npos;
-    if (!well_formed) bad("'" + std::string(word.substr(0, 40)) + "' is not a vertex of a face (expected like 7, 7/1 or 7/1/3)");
+    if (!well_formed)
+      bad("'" + std::string(word.substr(0, 40)) + "' is not a vertex of a face (expected like 7, 7/1 or 7/1/3)");
     auto const count = static_cast<long>(vertices_.size());
     long const at = index < 0 ? count + index : index - 1;
     if (index == 0 || at < 0 || at >= count)
@@ -202,8 +204,8 @@ private:
   std::vector<Point3d> vertices_;
   std::vector<ObjectTriangles> objects_;
   std::size_t current_ = 0;
-  std::string object_;                          // the latest `o`
-  std::map<std::string, std::size_t> groups_;   // of that `o`
+  std::string object_;                         // the latest `o`
+  std::map<std::string, std::size_t> groups_;  // of that `o`
   std::vector<std::vector<VertexIndex>> rings_{1};
   DroppedPolygons dropped_;
   std::size_t shapes_ = 0;

@@ -15,10 +15,12 @@ struct NamedType {
   PlyType type;
 };
 constexpr NamedType type_names[] = {
-  {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},    {"uint8", PlyType::uint8},
-  {"short", PlyType::int16},    {"int16", PlyType::int16},     {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},
-  {"int", PlyType::int32},      {"int32", PlyType::int32},     {"uint", PlyType::uint32},    {"uint32", PlyType::uint32},
-  {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64}, {"float64", PlyType::float64}};
+  {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+  {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+  {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+  {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+  {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
+  {"float64", PlyType::float64}};
 
 std::vector<std::string_view> words_of(std::string_view line)
 {
@@ -37,7 +39,8 @@ public:
 
   PlyHeader parse()
   {
-    if (take_line() != std::vector<std::string_view>{"ply"}) bad("does not begin with the word 'ply'; is this a PLY file?");
+    if (take_line() != std::vector<std::string_view>{"ply"})
+      bad("does not begin with the word 'ply'; is this a PLY file?");
     for (bool has_format = false;;) {
       auto const words = take_line();
       if (words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
@@ -122,8 +125,9 @@ private:
         row += header_.encoding == PlyEncoding::ascii ? 1 : size_of(p.is_list ? p.count_type : p.type);
       if (row == 0) continue;
       if (e.count > (present - needed) / row)
-        fail(source_, {}, "the header claims " + std::to_string(e.count) + " " + e.name + " elements, but only " +
-                            std::to_string(present) + " bytes follow it; the file is truncated or its header wrong");
+        fail(source_, {},
+             "the header claims " + std::to_string(e.count) + " " + e.name + " elements, but only " +
+               std::to_string(present) + " bytes follow it; the file is truncated or its header wrong");
       needed += e.count * row;
     }
   }
@@ -138,14 +142,14 @@ private:
 std::size_t size_of(PlyType type)
 {
   switch (type) {
-    case PlyType::int8:
-    case PlyType::uint8: return 1;
-    case PlyType::int16:
-    case PlyType::uint16: return 2;
-    case PlyType::int32:
-    case PlyType::uint32:
-    case PlyType::float32: return 4;
-    case PlyType::float64: return 8;
+  case PlyType::int8:
+  case PlyType::uint8: return 1;
+  case PlyType::int16:
+  case PlyType::uint16: return 2;
+  case PlyType::int32:
+  case PlyType::uint32:
+  case PlyType::float32: return 4;
+  case PlyType::float64: return 8;
   }
   return 0;
 }

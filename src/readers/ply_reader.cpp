@@ -61,14 +61,14 @@ private:
     }
     rest_.remove_prefix(n);
     switch (type) {
-      case PlyType::int8: return static_cast<std::int8_t>(bits);
-      case PlyType::uint8: return static_cast<std::uint8_t>(bits);
-      case PlyType::int16: return static_cast<std::int16_t>(bits);
-      case PlyType::uint16: return static_cast<std::uint16_t>(bits);
-      case PlyType::int32: return static_cast<std::int32_t>(bits);
-      case PlyType::uint32: return static_cast<std::uint32_t>(bits);
-      case PlyType::float32: return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
-      case PlyType::float64: return std::bit_cast<double>(bits);
+    case PlyType::int8: return static_cast<std::int8_t>(bits);
+    case PlyType::uint8: return static_cast<std::uint8_t>(bits);
+    case PlyType::int16: return static_cast<std::int16_t>(bits);
+    case PlyType::uint16: return static_cast<std::uint16_t>(bits);
+    case PlyType::int32: return static_cast<std::int32_t>(bits);
+    case PlyType::uint32: return static_cast<std::uint32_t>(bits);
+    case PlyType::float32: return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(bits)));
+    case PlyType::float64: return std::bit_cast<double>(bits);
     }
     return 0;
   }
@@ -122,8 +122,9 @@ private:
   {
     for (auto const name : names)
       if (auto const p = e.find(name); p < e.properties.size() && e.properties[p].is_list == list) return p;
-    fail(source_, "element " + e.name, "has no " + std::string(list ? "list " : "") + "property '" +
-                                         std::string(*names.begin()) + "'; add it to the file");
+    fail(source_, "element " + e.name,
+         "has no " + std::string(list ? "list " : "") + "property '" + std::string(*names.begin()) +
+           "'; add it to the file");
   }
 
   void read_vertices(PlyElement const& e)
@@ -149,8 +150,9 @@ private:
         std::string names;
         for (auto const& other : e.properties)
           if (!other.is_list) (names += names.empty() ? "" : ", ") += other.name;
-        fail(source_, "element face", "has no property '" + options_.object_property + "' for objects; it has: " +
-                                        (names.empty() ? "none" : names));
+        fail(source_, "element face",
+             "has no property '" + options_.object_property +
+               "' for objects; it has: " + (names.empty() ? "none" : names));
       }
       return p;
     }
@@ -193,7 +195,10 @@ private:
   std::string object_name(double key) const
   {
     if (object_word_.empty()) return "object 1";
-    return printable(object_word_) + " " + (std::isinf(key) ? (key < 0 ? "-inf" : "inf") : key == 0 ? "0" : shortest(key));
+    return printable(object_word_) + " " +
+           (std::isinf(key) ? (key < 0 ? "-inf" : "inf")
+            : key == 0      ? "0"
+                            : shortest(key));
   }
 
   Scene build()
@@ -209,11 +214,12 @@ private:
       auto const& f = faces_[i];
       if (i == 0 || faces_[i - 1].object != f.object) builder.begin_object(object_name(f.object));
       auto& ring = rings[0];
-      ring.assign(corners_.begin() + static_cast<std::ptrdiff_t>(f.first), corners_.begin() + static_cast<std::ptrdiff_t>(f.last));
+      ring.assign(corners_.begin() + static_cast<std::ptrdiff_t>(f.first),
+                  corners_.begin() + static_cast<std::ptrdiff_t>(f.last));
       for (auto const v : ring)
         if (v >= vertices_.size())
-          fail(source_, "object '" + object_name(f.object) + "'", "a face names vertex " + std::to_string(v) + ", but there are " +
-                                                     std::to_string(vertices_.size()));
+          fail(source_, "object '" + object_name(f.object) + "'",
+               "a face names vertex " + std::to_string(v) + ", but there are " + std::to_string(vertices_.size()));
       if (ring.size() > 3) drop_repeats(vertices_, ring);
       triangles.clear();
       dropped.count(triangulate(vertices_, rings, triangles));

@@ -19,8 +19,8 @@ namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 enum class Side : std::uint8_t { unknown, outside, inside };
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-  Kernel, CGAL::Triangulation_face_base_with_info_2<Side, Kernel>>;
+using FaceBase =
+  CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<Side, Kernel>>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
   Kernel,
   CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_with_info_2<VertexIndex, Kernel>, FaceBase>,
@@ -84,7 +84,7 @@ bool toggle_along(Cdt const& cdt, Vertex a, Vertex b, EdgeParity& parity)
     do {
       if (cdt.is_infinite(e)) continue;
       Vertex const w = e->first->vertex(Cdt::cw(e->second)) == v ? e->first->vertex(Cdt::ccw(e->second))
-                                                                : e->first->vertex(Cdt::cw(e->second));
+                                                                 : e->first->vertex(Cdt::cw(e->second));
       if (w == b) {
         next = w;
         break;
@@ -243,8 +243,7 @@ void DroppedPolygons::count(Triangulated result)
 void DroppedPolygons::note(SceneBuilder& builder) const
 {
   if (no_area > 0) builder.note(std::to_string(no_area) + " polygons without area left out");
-  if (not_simple > 0)
-    builder.note(std::to_string(not_simple) + " polygons whose rings cross or overlap left out");
+  if (not_simple > 0) builder.note(std::to_string(not_simple) + " polygons whose rings cross or overlap left out");
 }
 
 }  // namespace visibility::readers

@@ -74,19 +74,21 @@ Scene read_json(std::string_view bytes, std::string const& source, ReadOptions c
   auto const type = first->text("type");
   if (type == "CityJSON") return readers::read_cityjson(std::move(*first), stream);
   if (type == "CityJSONFeature")
-    readers::fail(source, "line 1", "a CityJSONFeature before the CityJSON line with the transform; put that line first");
+    readers::fail(source, "line 1",
+                  "a CityJSONFeature before the CityJSON line with the transform; put that line first");
   if (type == "Feature" || type == "FeatureCollection" || type == "Polygon" || type == "MultiPolygon")
     return readers::read_geojson(std::move(*first), stream, options);
-  readers::fail(source, {}, "JSON that is neither CityJSON, GeoJSON nor visibility-scene/1 (its \"type\" is '" +
-                              std::string(type) + "'); convert it to one of these");
+  readers::fail(source, {},
+                "JSON that is neither CityJSON, GeoJSON nor visibility-scene/1 (its \"type\" is '" + std::string(type) +
+                  "'); convert it to one of these");
 }
 
 Scene dispatch(std::string_view bytes, SceneFormat format, std::string const& source, ReadOptions const& options)
 {
   switch (format) {
-    case SceneFormat::obj: return readers::read_obj(bytes, source);
-    case SceneFormat::ply: return readers::read_ply(bytes, source, options);
-    case SceneFormat::json: return read_json(bytes, source, options);
+  case SceneFormat::obj: return readers::read_obj(bytes, source);
+  case SceneFormat::ply: return readers::read_ply(bytes, source, options);
+  case SceneFormat::json: return read_json(bytes, source, options);
   }
   readers::fail(source, {}, "unknown scene format");
 }
@@ -111,8 +113,7 @@ SceneFormat format_of(std::filesystem::path path, std::string_view bytes)
 
 }  // namespace
 
-Scene read_scene_text(std::string_view bytes, SceneFormat format, std::string const& source,
-                      ReadOptions const& options)
+Scene read_scene_text(std::string_view bytes, SceneFormat format, std::string const& source, ReadOptions const& options)
 {
   try {
     return dispatch(bytes, format, source, options);

@@ -73,8 +73,8 @@ std::vector<Point3d> vertices_from_json(Json const& list, std::string const& whe
 void read_cell(Json const& value, Result& r, std::string const& where)
 {
   if (value.is_object() && value.contains("min") && value.contains("max")) {
-    r.cell_box = Box{detail::point_from_json(value["min"], where + ".min"),
-                     detail::point_from_json(value["max"], where + ".max")};
+    r.cell_box =
+      Box{detail::point_from_json(value["min"], where + ".min"), detail::point_from_json(value["max"], where + ".max")};
     auto const corners = r.cell_box->corners();
     r.cell.assign(corners.begin(), corners.end());
   } else if (value.is_object() && value.contains("vertices")) {
@@ -87,6 +87,11 @@ void read_cell(Json const& value, Result& r, std::string const& where)
 std::string text_or(Json const& value, char const* key, std::string otherwise)
 {
   return value.contains(key) && value[key].is_string() ? value[key].get<std::string>() : otherwise;
+}
+
+std::size_t count_or_zero(Json const& value, char const* key)
+{
+  return value.contains(key) && value[key].is_number_unsigned() ? value[key].get<std::size_t>() : 0;
 }
 
 Result result_from_json(Json const& value, std::string const& where)
@@ -107,11 +112,19 @@ Result result_from_json(Json const& value, std::string const& where)
   } catch (std::invalid_argument const& e) {
     throw BadInput(where + ": " + e.what());
   }
-  if (value.contains("scene") && value["scene"].is_object()) r.source = text_or(value["scene"], "source", "");
+  if (value.contains("scene") && value["scene"].is_object()) {
+    Json const& scene = value["scene"];
+    r.source = text_or(scene, "source", "");
+    r.objects = count_or_zero(scene, "objects");
+    r.primitives = count_or_zero(scene, "primitives");
+  }
   if (value.contains("cell")) read_cell(value["cell"], r, where + ", cell");
   if (value.contains("method") && value["method"].is_object()) {
     r.method = text_or(value["method"], "name", "");
     r.arithmetic = text_or(value["method"], "arithmetic", "");
+    if (value["method"].contains("options") && value["method"]["options"].is_object())
+      for (auto const& [key, x] : value["method"]["options"].items())
+        if (x.is_string() || x.is_number()) r.options[key] = x.is_string() ? x.get<std::string>() : x.dump();
   }
   if (value.contains("statistics") && value["statistics"].is_object())
     for (auto const& [key, x] : value["statistics"].items())

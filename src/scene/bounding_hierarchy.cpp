@@ -106,7 +106,8 @@ private:
 
   std::uint32_t median(std::uint32_t first, std::uint32_t last, Box const& centres)
   {
-    double const x = centres.max.x - centres.min.x, y = centres.max.y - centres.min.y, z = centres.max.z - centres.min.z;
+    double const x = centres.max.x - centres.min.x, y = centres.max.y - centres.min.y,
+                 z = centres.max.z - centres.min.z;
     int const axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2;
     auto const middle = first + (last - first) / 2;
     std::nth_element(items_.begin() + first, items_.begin() + middle, items_.begin() + last, [&](auto a, auto b) {

@@ -36,8 +36,7 @@ ConvexBodies::ConvexBodies(Scene const& scene) : scene_(&scene)
       add({id, static_cast<std::uint32_t>(scene.polyhedra.size() + mesh_pieces_.size() - 1), Kind::polyhedron, true},
           bounds);
     }
-    for (auto const i : pieces.loose)
-      add({id, i, Kind::triangle, true}, visibility::bounding_box(scene.triangle(i)));
+    for (auto const i : pieces.loose) add({id, i, Kind::triangle, true}, visibility::bounding_box(scene.triangle(i)));
   }
   first_body_.push_back(static_cast<std::uint32_t>(bodies_.size()));
 }
@@ -65,20 +64,20 @@ void ConvexBodies::append_vertices(Body const& b, std::vector<Point3d>& out) con
     out.insert(out.end(), c.begin(), c.end());
   };
   switch (b.kind) {
-    case Kind::box: corners(box(b)); break;
-    case Kind::ball: corners(visibility::bounding_box(ball(b))); break;
-    case Kind::prism:
-      for (auto const& v : prism(b).footprint) {
-        out.push_back({v.x, v.y, prism(b).bottom});
-        out.push_back({v.x, v.y, prism(b).top});
-      }
-      break;
-    case Kind::polyhedron: out.insert(out.end(), polyhedron(b).vertices.begin(), polyhedron(b).vertices.end()); break;
-    case Kind::triangle: {
-      auto const t = triangle(b);
-      out.insert(out.end(), t.vertices.begin(), t.vertices.end());
-      break;
+  case Kind::box: corners(box(b)); break;
+  case Kind::ball: corners(visibility::bounding_box(ball(b))); break;
+  case Kind::prism:
+    for (auto const& v : prism(b).footprint) {
+      out.push_back({v.x, v.y, prism(b).bottom});
+      out.push_back({v.x, v.y, prism(b).top});
     }
+    break;
+  case Kind::polyhedron: out.insert(out.end(), polyhedron(b).vertices.begin(), polyhedron(b).vertices.end()); break;
+  case Kind::triangle: {
+    auto const t = triangle(b);
+    out.insert(out.end(), t.vertices.begin(), t.vertices.end());
+    break;
+  }
   }
 }
 

@@ -20,8 +20,8 @@ struct FaceInfo {
   int depth = -1;  ///< number of constraints crossed from the outside; odd: inside
   int piece = -1;
 };
-using FaceBase = CGAL::Constrained_triangulation_face_base_2<
-  Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
+using FaceBase =
+  CGAL::Constrained_triangulation_face_base_2<Kernel, CGAL::Triangulation_face_base_with_info_2<FaceInfo, Kernel>>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
   Kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>, FaceBase>,
   CGAL::No_constraint_intersection_requiring_constructions_tag>;

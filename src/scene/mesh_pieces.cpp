@@ -93,8 +93,7 @@ std::vector<ConvexPolyhedron> as_convex(std::vector<Point3d> const& all, std::sp
   std::vector<Triple> local;
   for (auto const& f : facets) {
     Triple t{};
-    for (std::size_t i = 0; i < 3; ++i)
-      t[i] = static_cast<Index>(std::ranges::lower_bound(used, f[i]) - used.begin());
+    for (std::size_t i = 0; i < 3; ++i) t[i] = static_cast<Index>(std::ranges::lower_bound(used, f[i]) - used.begin());
     local.push_back(t);
   }
   // One vertex off the first facet's plane tells which way the facets face.

@@ -12,9 +12,9 @@ struct MeshPieces {
   std::vector<std::uint32_t> loose;  ///< positions in scene.triangles, ascending
 };
 
-/// Splits the triangles into components connected through edges and keeps as solids those that bound a convex polyhedron
-/// exactly; an inside-out one is turned round. Vertices are the same if they have one index, and, in a second pass over
-/// what is left, if they have equal coordinates.
+/// Splits the triangles into components connected through edges and keeps as solids those that bound a convex
+/// polyhedron exactly; an inside-out one is turned round. Vertices are the same if they have one index, and, in a
+/// second pass over what is left, if they have equal coordinates.
 MeshPieces mesh_pieces(Scene const& scene, IndexRange triangles);
 
 }  // namespace visibility::detail

@@ -7,10 +7,10 @@ namespace visibility {
 std::string to_string(Guarantee guarantee)
 {
   switch (guarantee) {
-    case Guarantee::exact: return "exact";
-    case Guarantee::conservative: return "conservative";
-    case Guarantee::aggressive: return "aggressive";
-    case Guarantee::none: break;
+  case Guarantee::exact: return "exact";
+  case Guarantee::conservative: return "conservative";
+  case Guarantee::aggressive: return "aggressive";
+  case Guarantee::none: break;
   }
   return "none";
 }

@@ -12,7 +12,12 @@ namespace {
 std::size_t printable_sequence(std::string_view s)
 {
   auto const byte = [&](std::size_t i) { return static_cast<unsigned char>(s[i]); };
-  std::size_t const n = byte(0) < 0x80 ? 1 : byte(0) < 0xC2 ? 0 : byte(0) < 0xE0 ? 2 : byte(0) < 0xF0 ? 3 : byte(0) < 0xF5 ? 4 : 0;
+  std::size_t const n = byte(0) < 0x80   ? 1
+                        : byte(0) < 0xC2 ? 0
+                        : byte(0) < 0xE0 ? 2
+                        : byte(0) < 0xF0 ? 3
+                        : byte(0) < 0xF5 ? 4
+                                         : 0;
   if (n == 1) return byte(0) >= 0x20 && byte(0) != 0x7F ? 1 : 0;
   if (n == 0 || n > s.size()) return 0;
   for (std::size_t i = 1; i < n; ++i)
@@ -28,8 +33,10 @@ std::string printable(std::string_view name)
   std::string out;
   while (!name.empty()) {
     std::size_t const n = printable_sequence(name);
-    if (n == 0) out += '?';
-    else out += name.substr(0, n);
+    if (n == 0)
+      out += '?';
+    else
+      out += name.substr(0, n);
     name.remove_prefix(n == 0 ? 1 : n);
   }
   return out;

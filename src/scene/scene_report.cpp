@@ -40,7 +40,8 @@ SceneReport report(Scene const& scene)
     r.zero_area_triangles += detail::projection_axis<Filtered>(a, b, c) < 0;
   }
   r.duplicate_faces = count_duplicates(scene);
-  r.flat_boxes = static_cast<std::size_t>(std::ranges::count_if(scene.boxes, [](Box const& b) { return !b.has_interior(); }));
+  r.flat_boxes =
+    static_cast<std::size_t>(std::ranges::count_if(scene.boxes, [](Box const& b) { return !b.has_interior(); }));
   return r;
 }
 

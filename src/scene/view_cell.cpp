@@ -11,7 +11,8 @@ namespace visibility {
 ViewCell::ViewCell(Box const& box)
 {
   if (!is_finite(box.min) || !is_finite(box.max)) throw std::invalid_argument("a cell coordinate is not finite");
-  if (!box.has_interior()) throw std::invalid_argument("the cell has no interior (min must be below max on every axis)");
+  if (!box.has_interior())
+    throw std::invalid_argument("the cell has no interior (min must be below max on every axis)");
   shape_ = ConvexPolyhedron::from_box(box);
   bounds_ = box;
   is_box_ = true;
@@ -25,8 +26,8 @@ ViewCell ViewCell::hull(std::span<Point3d const> points)
   cell.bounds_ = bounding_box(cell.shape_);
   auto const corners = cell.bounds_.corners();
   cell.is_box_ = cell.shape_.vertices.size() == 8 && std::ranges::all_of(cell.shape_.vertices, [&](Point3d const& v) {
-    return std::ranges::find(corners, v) != corners.end();
-  });
+                   return std::ranges::find(corners, v) != corners.end();
+                 });
   return cell;
 }
 

@@ -18,7 +18,8 @@ std::vector<Prism> footprints(Scene const& scene, Object const& o)
   for (auto i = o.boxes.first; i < o.boxes.last; ++i) {
     auto const& b = scene.boxes[i];
     if (!b.has_interior()) cannot_hold(o, "a flat box");
-    out.push_back({{{{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}}}, b.min.z, b.max.z});
+    out.push_back(
+      {{{{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}}}, b.min.z, b.max.z});
   }
   for (auto const& p : out)
     if (p.bottom != out[0].bottom || p.top != out[0].top) cannot_hold(o, "several heights in one object");
@@ -56,7 +57,8 @@ void write_geojson(std::ostream& out, Scene const& scene, bool lines)
     auto const prisms = footprints(scene, o);
     out << R"({"type":"Feature",)";
     if (lines) out << local_metres << ',';
-    out << R"("id":)" << json_string(o.name) << R"(,"properties":{)" << heights(prisms[0], o) << R"(},"geometry":{"type":)"
+    out << R"("id":)" << json_string(o.name) << R"(,"properties":{)" << heights(prisms[0], o)
+        << R"(},"geometry":{"type":)"
         << (prisms.size() == 1 ? R"("Polygon","coordinates":)" : R"("MultiPolygon","coordinates":[)");
     for (std::size_t k = 0; k < prisms.size(); ++k) {
       if (k > 0) out << ',';

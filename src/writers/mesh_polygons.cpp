@@ -13,7 +13,8 @@ using Polygon = std::vector<Point3d>;
 
 void add_box(Box const& b, std::vector<Polygon>& faces)
 {
-  static constexpr int quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  static constexpr int quads[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                      {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
   for (auto const& q : quads) {
     Polygon face;
     for (int const corner : q) face.push_back(b.corner(corner));
@@ -25,7 +26,8 @@ bool is_clockwise(std::vector<Point2d> const& ring)
 {
   double area = 0;  // the direction of walls is a courtesy, so rounding does no harm
   for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    area += (ring[i].x - ring[0].x) * (ring[i + 1].y - ring[0].y) - (ring[i].y - ring[0].y) * (ring[i + 1].x - ring[0].x);
+    area +=
+      (ring[i].x - ring[0].x) * (ring[i + 1].y - ring[0].y) - (ring[i].y - ring[0].y) * (ring[i + 1].x - ring[0].x);
   return area < 0;
 }
 
@@ -71,7 +73,8 @@ std::vector<Polygon> solid_faces(Scene const& scene, Object const& object)
 
 void cannot_hold(Object const& object, std::string const& what)
 {
-  throw BadInput("object '" + object.name + "': this file format cannot hold " + what + "; write a .json scene instead");
+  throw BadInput("object '" + object.name + "': this file format cannot hold " + what +
+                 "; write a .json scene instead");
 }
 
 }  // namespace visibility::writers

@@ -31,7 +31,8 @@ void write_ply(std::ostream& out, Scene const& scene)
     for (auto const& face : solids.emplace_back(solid_faces(scene, o))) vertices += face.size();
     faces += solids.back().size();
   }
-  if (vertices > INT32_MAX) throw BadInput(scene.source + ": too many vertices for a PLY file; write a .json scene instead");
+  if (vertices > INT32_MAX)
+    throw BadInput(scene.source + ": too many vertices for a PLY file; write a .json scene instead");
 
   out << "ply\nformat binary_little_endian 1.0\ncomment units metre, z up\nelement vertex " << vertices
       << "\nproperty double x\nproperty double y\nproperty double z\nelement face " << faces

@@ -21,11 +21,11 @@ SceneFileKind scene_file_kind(std::filesystem::path const& path)
 void write_scene(std::ostream& out, Scene const& scene, SceneFileKind kind)
 {
   switch (kind) {
-    case SceneFileKind::native: return writers::write_native(out, scene);
-    case SceneFileKind::obj: return writers::write_obj(out, scene);
-    case SceneFileKind::ply: return writers::write_ply(out, scene);
-    case SceneFileKind::geojson: return writers::write_geojson(out, scene, false);
-    case SceneFileKind::geojson_lines: return writers::write_geojson(out, scene, true);
+  case SceneFileKind::native: return writers::write_native(out, scene);
+  case SceneFileKind::obj: return writers::write_obj(out, scene);
+  case SceneFileKind::ply: return writers::write_ply(out, scene);
+  case SceneFileKind::geojson: return writers::write_geojson(out, scene, false);
+  case SceneFileKind::geojson_lines: return writers::write_geojson(out, scene, true);
   }
 }
 

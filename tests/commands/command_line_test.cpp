@@ -48,7 +48,8 @@ struct Run {
 Run visibility_command(Folder const& folder, std::string const& arguments)
 {
   std::string const out = folder / "stdout", err = folder / "stderr";
-  int const status = std::system((VISIBILITY_COMMAND " " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
+  int const status =
+    std::system((VISIBILITY_COMMAND " " + arguments + " >" + out + " 2>" + err + " </dev/null").c_str());
   auto const read = [](std::string const& file) {
     std::ifstream in(file);
     std::string const text{std::istreambuf_iterator<char>(in), {}};
@@ -77,7 +78,8 @@ TEST_CASE("command line: pvs writes a result that check and compare accept", "[c
   REQUIRE(result.visible.size() > 4);
   REQUIRE(result.visible.size() < result.objects);
 
-  run = visibility_command(folder, "pvs " + city + " --cell=-30,-30,0,30,30,50 --method sampling --rays 100000 -o " + sampled);
+  run = visibility_command(folder,
+                           "pvs " + city + " --cell=-30,-30,0,30,30,50 --method sampling --rays 100000 -o " + sampled);
   REQUIRE(run.exit_code == 0);
   REQUIRE(visibility_command(folder, "compare " + pvs + " " + sampled).exit_code == 0);
   run = visibility_command(folder, "check " + city + " " + pvs + " --rays 100000");
@@ -95,7 +97,7 @@ TEST_CASE("command line: check and compare find a missing object and exit with 1
   auto results = read_results(pvs);
   std::erase(results.front().visible, read_results(sampled).front().visible.front());
   auto const damaged = folder.write("damaged.json", to_json(results));
-  auto const check = visibility_command(folder, "check gen:city,n=100 " + damaged + " --rays 200000");
+  auto const check = visibility_command(folder, "check gen:city,n=100 " + damaged + " --rays 2e5");
   REQUIRE(check.exit_code == 1);
   REQUIRE(check.out.find("FAULT") != std::string::npos);
   REQUIRE(visibility_command(folder, "compare " + damaged + " " + sampled).exit_code == 1);
@@ -106,7 +108,8 @@ TEST_CASE("command line: without -o the result goes to standard output; several 
   Folder const folder;
   auto const cells = folder.write("cells.json", R"([{"min":[-30,-30,0],"max":[30,30,50]},
     {"vertices":[[0,0,0],[10,0,0],[0,10,0],[0,0,10]]}])");
-  auto const run = visibility_command(folder, "pvs gen:city,n=100 --cells " + cells + " --cell 0,0,0,1,1,1 --threads 2");
+  auto const run =
+    visibility_command(folder, "pvs gen:city,n=100 --cells " + cells + " --cell 0,0,0,1,1,1 --threads 2");
   INFO(run.err);
   REQUIRE(run.exit_code == 0);
   auto const results = results_from_json(run.out, "standard output");
@@ -143,36 +146,38 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
     "cell":{"min":[0,0,0],"max":[1,1,1]}})");
   std::size_t const before = folder.files();
   std::string const cell = " --cell 0,0,0,1,1,1 ";
-  std::vector<std::string> const bad{
-    "",
-    "nonsense",
-    "pvs",
-    "pvs gen:city",
-    "pvs gen:castle" + cell,
-    "pvs gen:city,n=0" + cell,
-    "pvs gen:city,colour=3" + cell,
-    "pvs gen:city --cell 0,0,0,1,1",
-    "pvs gen:city --cell 0,0,0,1,1,1,1",
-    "pvs gen:city --cell 0,0,0,1,nan,1",
-    "pvs gen:city --cell 0,0,0,1,1e999,1",
-    "pvs gen:city --cell 0,0,0,0,1,1",
-    "pvs gen:city" + cell + "--method guess",
-    "pvs gen:city" + cell + "--arithmetic float",
-    "pvs gen:city" + cell + "--granularity atom",
-    "pvs gen:city" + cell + "--unknown",
-    "pvs gen:city" + cell + "--cells " + empty,
-    "pvs gen:city,n=10" + cell + "-o " + (folder / "no/such/folder/pvs.json"),
-    "pvs " + (folder / "missing.obj") + cell + "-o " + (folder / "out.json"),
-    "pvs " + nan + cell + "-o " + (folder / "out.json"),
-    "pvs " + truncated + cell + "-o " + (folder / "out.json"),
-    "pvs " + empty + cell + "-o " + (folder / "out.json"),
-    "info " + nan,
-    "generate city n=10 -o " + (folder / "city.unknown"),
-    "generate spheres n=3 -o " + (folder / "spheres.obj"),
-    "generate castle -o " + (folder / "castle.obj"),
-    "compare " + set + " " + nan,
-    "check gen:city,n=10 " + set,
-    "check gen:city,n=10 " + nan};
+  std::vector<std::string> const bad{"",
+                                     "nonsense",
+                                     "pvs",
+                                     "pvs gen:city",
+                                     "pvs gen:castle" + cell,
+                                     "pvs gen:city,n=0" + cell,
+                                     "pvs gen:city,colour=3" + cell,
+                                     "pvs gen:city --cell 0,0,0,1,1",
+                                     "pvs gen:city --cell 0,0,0,1,1,1,1",
+                                     "pvs gen:city --cell 0,0,0,1,nan,1",
+                                     "pvs gen:city --cell 0,0,0,1,1e999,1",
+                                     "pvs gen:city --cell 0,0,0,0,1,1",
+                                     "pvs gen:city" + cell + "--method guess",
+                                     "pvs gen:city" + cell + "--arithmetic float",
+                                     "pvs gen:city" + cell + "--granularity atom",
+                                     "pvs gen:city" + cell + "--unknown",
+                                     "pvs gen:city" + cell + "--method sampling --rays 0",
+                                     "pvs gen:city" + cell + "--method sampling --rays 1.5",
+                                     "pvs gen:city" + cell + "--method sampling --rays many",
+                                     "pvs gen:city" + cell + "--cells " + empty,
+                                     "pvs gen:city,n=10" + cell + "-o " + (folder / "no/such/folder/pvs.json"),
+                                     "pvs " + (folder / "missing.obj") + cell + "-o " + (folder / "out.json"),
+                                     "pvs " + nan + cell + "-o " + (folder / "out.json"),
+                                     "pvs " + truncated + cell + "-o " + (folder / "out.json"),
+                                     "pvs " + empty + cell + "-o " + (folder / "out.json"),
+                                     "info " + nan,
+                                     "generate city n=10 -o " + (folder / "city.unknown"),
+                                     "generate spheres n=3 -o " + (folder / "spheres.obj"),
+                                     "generate castle -o " + (folder / "castle.obj"),
+                                     "compare " + set + " " + nan,
+                                     "check gen:city,n=10 " + set,
+                                     "check gen:city,n=10 " + nan};
   for (auto const& arguments : bad) {
     auto const run = visibility_command(folder, arguments);
     CAPTURE(arguments, run.out, run.err);

@@ -81,5 +81,6 @@ TEST_CASE("check: an aggressive set may lack objects without fault; a missing ob
 TEST_CASE("check: a set that names an unknown object is refused", "[evidence]")
 {
   auto const s = boxes({Box{{1, 0, 0}, {2, 1, 1}}});
-  CHECK_THROWS_AS(check(*s.prepared, ViewCell(Box{{0, 0, 0}, {1, 1, 1}}), Ids{5}, Guarantee::exact), std::invalid_argument);
+  CHECK_THROWS_AS(check(*s.prepared, ViewCell(Box{{0, 0, 0}, {1, 1, 1}}), Ids{5}, Guarantee::exact),
+                  std::invalid_argument);
 }

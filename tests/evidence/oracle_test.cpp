@@ -42,8 +42,9 @@ std::set<std::uint32_t> brute_force(PreparedScene const& scene)
           Box const& b = boxes[id];
           auto const at = [](double lo, double hi, double u) { return lo + (hi - lo) * u / 24; };
           Point3d p{at(b.min.x, b.max.x, s), at(b.min.y, b.max.y, part / 2 == 0 ? s : t), at(b.min.z, b.max.z, t)};
-          (part / 2 == 0 ? p.x : part / 2 == 1 ? p.y : p.z) =
-            std::array{b.min.x, b.max.x, b.min.y, b.max.y, b.min.z, b.max.z}[part];
+          (part / 2 == 0   ? p.x
+           : part / 2 == 1 ? p.y
+                           : p.z) = std::array{b.min.x, b.max.x, b.min.y, b.max.y, b.min.z, b.max.z}[part];
           for (auto const& o : origins)
             if (!blocker<Filtered>(scene, o, p)) {
               visible.insert(id);

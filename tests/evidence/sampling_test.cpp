@@ -30,7 +30,7 @@ TEST_CASE("sampling: an object behind one wall is hidden, one beside it is found
 
 TEST_CASE("sampling: an object in a closed room is hidden", "[evidence]")
 {
-  auto const s = boxes({Box{{8, 0, 0}, {9, 1, 1}},        // inside the room
+  auto const s = boxes({Box{{8, 0, 0}, {9, 1, 1}},  // inside the room
                         Box{{5, -5, -5}, {6, 6, 6}}, Box{{11, -5, -5}, {12, 6, 6}}, Box{{5, -5, -5}, {12, -4, 6}},
                         Box{{5, 5, -5}, {12, 6, 6}}, Box{{5, -5, -5}, {12, 6, -4}}, Box{{5, -5, 5}, {12, 6, 6}}});
   auto const seen = sample(s, unit_cell).visible;
@@ -75,8 +75,10 @@ TEST_CASE("sampling: every kind of object is found", "[evidence]")
   b.begin_object("box"), b.add(Box{{5, 0, 0}, {6, 1, 1}});
   b.begin_object("ball"), b.add(Ball{{-5, 0, 0}, 1});
   b.begin_object("prism"), b.add(Prism{{{{0, 5}, {1, 5.5}, {0, 7}}}, 0, 2});
-  b.begin_object("bow tie"), b.add(Prism{{{{0, -5}, {2, -7}, {2, -5}, {0, -7}}}, 0, 2});  // occludes nothing, yet is there
-  b.begin_object("polyhedron"), b.add(ConvexPolyhedron::hull(std::vector<Point3d>{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {0, 0, 6}}));
+  b.begin_object("bow tie"),
+    b.add(Prism{{{{0, -5}, {2, -7}, {2, -5}, {0, -7}}}, 0, 2});  // occludes nothing, yet is there
+  b.begin_object("polyhedron"),
+    b.add(ConvexPolyhedron::hull(std::vector<Point3d>{{0, 0, 5}, {1, 0, 5}, {0, 1, 5}, {0, 0, 6}}));
   b.begin_object("triangle");
   b.add_triangle(b.add_vertex({0, 0, -5}), b.add_vertex({1, 0, -5.5}), b.add_vertex({0, 1, -6}));
   b.begin_object("behind the bow tie"), b.add(Box{{0, -12, 0}, {1, -11, 1}});

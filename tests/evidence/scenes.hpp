@@ -13,7 +13,8 @@ namespace visibility::test {
 
 /// A scene built in place, with what shares its lifetime.
 struct TestScene {
-  explicit TestScene(Scene s) : scene(std::make_unique<Scene>(std::move(s))), prepared(std::make_unique<PreparedScene>(*scene))
+  explicit TestScene(Scene s)
+    : scene(std::make_unique<Scene>(std::move(s))), prepared(std::make_unique<PreparedScene>(*scene))
   {
   }
   std::unique_ptr<Scene> scene;

@@ -25,13 +25,14 @@ TEST_CASE("witness: both ends must be in open sets", "[evidence][degenerate]")
 {
   auto const s = boxes({wall_x(5, -1, 2)});
   auto const& p = *s.prepared;
-  CHECK_FALSE(confirm(p, unit_cell, line(0, {1, 0.5, 0.5}, {5, 0.5, 0.5})));       // on the cell's boundary
-  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {5, -1, 0.5})));      // on an edge of the box
-  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {4.5, 0.5, 0.5})));   // on no face
-  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {5.5, 0.5, 0.5})));   // inside the box
-  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {6, 0.5, 0.5})));     // the far face: hidden by the box itself
-  CHECK_FALSE(confirm(p, unit_cell, line(7, {0.5, 0.5, 0.5}, {5, 0.5, 0.5})));     // no such object
-  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5})));   // no line
+  CHECK_FALSE(confirm(p, unit_cell, line(0, {1, 0.5, 0.5}, {5, 0.5, 0.5})));      // on the cell's boundary
+  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {5, -1, 0.5})));     // on an edge of the box
+  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {4.5, 0.5, 0.5})));  // on no face
+  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {5.5, 0.5, 0.5})));  // inside the box
+  CHECK_FALSE(
+    confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {6, 0.5, 0.5})));  // the far face: hidden by the box itself
+  CHECK_FALSE(confirm(p, unit_cell, line(7, {0.5, 0.5, 0.5}, {5, 0.5, 0.5})));    // no such object
+  CHECK_FALSE(confirm(p, unit_cell, line(0, {0.5, 0.5, 0.5}, {0.5, 0.5, 0.5})));  // no line
 }
 
 TEST_CASE("witness: a line that grazes an edge is blocked", "[evidence][degenerate]")
@@ -119,20 +120,22 @@ TEST_CASE("witness: slanted walls, roofs and facets get exact rational ends", "[
   test::Random random(5);
   int proved = 0, slanted = 0;
   for (int i = 0; i < 400; ++i) {
-    Point3d const from = random.point(0.01, 0.99), near{random.uniform(4, 9), random.uniform(-3, 4), random.uniform(-1, 0.3)};
+    Point3d const from = random.point(0.01, 0.99),
+                  near{random.uniform(4, 9), random.uniform(-3, 4), random.uniform(-1, 0.3)};
     Candidate c{0, {}, from, near};
     switch (random.below(3)) {
-      case 0: c.face = {Face::Kind::wall, 0, static_cast<std::uint32_t>(random.below(8))}; break;
-      case 1: {
-        auto const body = static_cast<std::uint32_t>(random.below(static_cast<int>(s.prepared->bodies().bodies_of(0).size())));
-        c.face = {Face::Kind::roof, body, 0};
-        c.near.z = 0.3;
-        break;
-      }
-      default:
-        c.object = 1;
-        c.face = {Face::Kind::facet, 0, static_cast<std::uint32_t>(random.below(4))};
-        c.near = {random.uniform(-7, -5), random.uniform(-3, 3), random.uniform(0, 5)};
+    case 0: c.face = {Face::Kind::wall, 0, static_cast<std::uint32_t>(random.below(8))}; break;
+    case 1: {
+      auto const body =
+        static_cast<std::uint32_t>(random.below(static_cast<int>(s.prepared->bodies().bodies_of(0).size())));
+      c.face = {Face::Kind::roof, body, 0};
+      c.near.z = 0.3;
+      break;
+    }
+    default:
+      c.object = 1;
+      c.face = {Face::Kind::facet, 0, static_cast<std::uint32_t>(random.below(4))};
+      c.near = {random.uniform(-7, -5), random.uniform(-3, 3), random.uniform(0, 5)};
     }
     auto const w = find_witness(*s.prepared, c);
     if (!w) continue;
@@ -159,7 +162,7 @@ TEST_CASE("meets_cell: touching counts, for every kind of body", "[evidence][deg
   begin(true), b.add(Box{{0.5, 0.5, 0.5}, {0.5, 0.5, 0.5}});
   begin(true), b.add(Ball{{3, 0.5, 0.5}, 2});
   begin(false), b.add(Ball{{3, 0.5, 0.5}, std::nextafter(2, 0)});
-  begin(true), b.add(Ball{{4, 5, 0.5}, 5});   // touches an edge: 3-4-5
+  begin(true), b.add(Ball{{4, 5, 0.5}, 5});  // touches an edge: 3-4-5
   begin(false), b.add(Ball{{4, 5, 0.5}, std::nextafter(5, 0)});
   begin(true), b.add(Ball{{0.5, 0.5, 0.5}, 0});
   begin(true), b.add(Prism{{{{1, 0.5}, {3, -1}, {3, 2}}}, 1, 4});
@@ -167,8 +170,8 @@ TEST_CASE("meets_cell: touching counts, for every kind of body", "[evidence][deg
   begin(false), b.add(Prism{{{{1.75, 0.5}, {0.5, 1.75}, {1.75, 1.75}}}, 0, 4});
   begin(true), triangle({-5, -5, 0.5}, {9, -5, 0.5}, {0, 9, 0.5});  // cuts the cell without an edge inside
   begin(false), triangle({3, 0, 0}, {0, 3, 0}, {0, 0, 3.5});
-  begin(true), triangle({3, 0, 0}, {0, 3, 0}, {0, 0, 3});           // through the corner (1, 1, 1)
-  begin(true), triangle({-1, 0, 0}, {2, 0, 0}, {3, 0, 0});          // degenerate, along an edge of the cell
+  begin(true), triangle({3, 0, 0}, {0, 3, 0}, {0, 0, 3});   // through the corner (1, 1, 1)
+  begin(true), triangle({-1, 0, 0}, {2, 0, 0}, {3, 0, 0});  // degenerate, along an edge of the cell
   test::TestScene const s(b.finish());
   ViewCell const hull = ViewCell::hull(unit_cell.vertices());
   for (std::uint32_t i = 0; i < expected.size(); ++i) {

@@ -53,8 +53,9 @@ TEST_CASE("box field: the cleared column and the ground are free", "[generators]
     GENERATE("box-field,n=2000", "box-field,n=3,density=10,clear=1000", "box-field,n=500,clear=0");
   CAPTURE(specification);
   auto const scene = generate(specification);
-  double const clear = std::string(specification).find("1000") != std::string::npos ? 1000
-                       : std::string(specification).find("clear=0") != std::string::npos ? 0 : 20;
+  double const clear = std::string(specification).find("1000") != std::string::npos      ? 1000
+                       : std::string(specification).find("clear=0") != std::string::npos ? 0
+                                                                                         : 20;
   for (auto const& o : scene.objects) {
     auto const b = bounding_box(scene, o);
     REQUIRE_FALSE(meet(b, Box{{-clear, -clear, 0}, {clear, clear, 100}}));

@@ -67,6 +67,5 @@ TEST_CASE("district: copies are the same houses elsewhere, with streets between"
   REQUIRE(test::are_apart(scene));
   // The crossing in the origin is free.
   auto const one = generate("district");
-  for (auto const& o : one.objects)
-    REQUIRE_FALSE(meet(bounding_box(one, o), Box{{-1e4, -7, 0}, {1e4, 7, 1}}));
+  for (auto const& o : one.objects) REQUIRE_FALSE(meet(bounding_box(one, o), Box{{-1e4, -7, 0}, {1e4, 7, 1}}));
 }

@@ -73,7 +73,8 @@ TEST_CASE("rotation: rows are orthonormal and right-handed", "[generators]")
   for (int i = 0; i < 1000; ++i) {
     auto const r = (i % 3 == 0   ? generators::any_rotation(random)
                     : i % 3 == 1 ? generators::about_x(random.around(30))
-                                 : generators::about_y(random.around(30))).rows;
+                                 : generators::about_y(random.around(30)))
+                     .rows;
     for (std::size_t a = 0; a < 3; ++a)
       for (std::size_t b = 0; b < 3; ++b) REQUIRE(std::abs(dot(r[a], r[b]) - (a == b ? 1 : 0)) < 1e-14);
     Point3d const cross{r[0].y * r[1].z - r[0].z * r[1].y, r[0].z * r[1].x - r[0].x * r[1].z,

@@ -45,9 +45,8 @@ inline bool is_closed(Scene const& scene, Object const& object)
     for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(scene.triangles[i][k], scene.triangles[i][(k + 1) % 3]);
   std::ranges::sort(edges);
   if (std::ranges::adjacent_find(edges) != edges.end()) return false;
-  return std::ranges::all_of(edges, [&](auto const& e) {
-    return std::ranges::binary_search(edges, std::pair(e.second, e.first));
-  });
+  return std::ranges::all_of(
+    edges, [&](auto const& e) { return std::ranges::binary_search(edges, std::pair(e.second, e.first)); });
 }
 
 /// Rounded volume within the closed surfaces of the object: positive iff they face outward.

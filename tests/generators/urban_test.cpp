@@ -11,8 +11,8 @@ TEST_CASE("urban: the triangles of each shape", "[generators]")
   auto const c = GENERATE(values<Case>({{"h=0,t=0", 1}, {"h=0,t=1", 2}, {"h=1,t=0", 3}}));
   auto const decks = GENERATE(0, 2);
   CAPTURE(c.shape, decks);
-  auto const scene = generate("urban,n=40,low=5,high=5," + std::string(c.shape) +
-                              (decks == 0 ? ",decks=0" : ",decks=1,deck-floors=2"));
+  auto const scene =
+    generate("urban,n=40,low=5,high=5," + std::string(c.shape) + (decks == 0 ? ",decks=0" : ",decks=1,deck-floors=2"));
   std::size_t two_decks = 0;
   for (auto const& o : scene.objects) {
     auto const boxes = o.triangles.size() / 12;
@@ -106,7 +106,7 @@ TEST_CASE("urban: density thins out the lots, regularity lines the buildings up"
   auto const scene = generate("urban,n=100,density=1,regularity=1,rotation=0,h=0,t=0");
   for (auto const& o : scene.objects) {
     auto const b = bounding_box(scene, o);
-    double const x = std::abs(b.min.x + b.max.x) / 2 - 25;  // the first lot is 20 wide, beside half an avenue of 30
+    double const x = std::abs(b.min.x + b.max.x) / 2 - 25;    // the first lot is 20 wide, beside half an avenue of 30
     double const within = x - 92 * std::floor((x + 1) / 92);  // blocks of four lots and a street repeat every 92 m
     REQUIRE(std::abs(within - 20 * std::round(within / 20)) < 1e-9);
   }

@@ -19,14 +19,18 @@ TEST_CASE("bodies: one solid as box, prism and polyhedron meets the same segment
         box.extend(scaled(even_point(random, 6), scale));
         box.extend(scaled(even_point(random, 6), scale));
       }
-      ConvexPrism const prism{{{box.min.x, box.min.y}, {box.max.x, box.min.y}, {box.max.x, box.max.y}, {box.min.x, box.max.y}},
-                              box.min.z, box.max.z};
+      ConvexPrism const prism{
+        {{box.min.x, box.min.y}, {box.max.x, box.min.y}, {box.max.x, box.max.y}, {box.min.x, box.max.y}},
+        box.min.z,
+        box.max.z};
       ConvexPolyhedron const polyhedron = ConvexPolyhedron::from_box(box);
       for (int k = 0; k < 20; ++k) {
-        Point3d const p = special_point(landmarks(box), random, scale), q = special_point(landmarks(box), random, scale);
+        Point3d const p = special_point(landmarks(box), random, scale),
+                      q = special_point(landmarks(box), random, scale);
         if (p == q || !is_finite(p) || !is_finite(q)) continue;
         CAPTURE(scale, i, k);
-        bool const closed = segment_meets<Filtered>(box, p, q), half_open = segment_meets<Filtered, End::excluded>(box, p, q);
+        bool const closed = segment_meets<Filtered>(box, p, q),
+                   half_open = segment_meets<Filtered, End::excluded>(box, p, q);
         REQUIRE(segment_meets<Filtered>(prism, p, q) == closed);
         REQUIRE(segment_meets<Filtered>(polyhedron, p, q) == closed);
         REQUIRE(segment_meets<Filtered, End::excluded>(prism, p, q) == half_open);
@@ -35,9 +39,10 @@ TEST_CASE("bodies: one solid as box, prism and polyhedron meets the same segment
         // From outside, the body is met iff one of the triangles of its boundary is.
         if (contains(box, p)) continue;
         REQUIRE(half_open == std::ranges::any_of(polyhedron.facets, [&](auto const& f) {
-          auto const& v = polyhedron.vertices;
-          return segment_meets<Filtered, End::excluded>(v[f.vertices[0]], v[f.vertices[1]], v[f.vertices[2]], p, q);
-        }));
+                  auto const& v = polyhedron.vertices;
+                  return segment_meets<Filtered, End::excluded>(v[f.vertices[0]], v[f.vertices[1]], v[f.vertices[2]], p,
+                                                                q);
+                }));
       }
     }
   REQUIRE(met > 100);

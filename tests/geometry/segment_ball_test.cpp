@@ -4,7 +4,8 @@
 using namespace visibility;
 using namespace visibility::test;
 
-TEST_CASE("segment_ball: agrees with the quadratic, closed and half-open, at all scales", "[geometry][oracle][degenerate]")
+TEST_CASE("segment_ball: agrees with the quadratic, closed and half-open, at all scales",
+          "[geometry][oracle][degenerate]")
 {
   Random random(65);
   Reached reached;
@@ -14,7 +15,8 @@ TEST_CASE("segment_ball: agrees with the quadratic, closed and half-open, at all
       int const k = random.between(0, 2);
       Ball const ball{scaled(c, scale), 14.0 * k * scale};
       // Landmarks: points of the sphere (2, 3, 6 and 7), the poles, the centre.
-      std::vector<Point3d> v{ball.centre, {ball.centre.x + ball.radius, ball.centre.y, ball.centre.z},
+      std::vector<Point3d> v{ball.centre,
+                             {ball.centre.x + ball.radius, ball.centre.y, ball.centre.z},
                              {ball.centre.x, ball.centre.y - ball.radius, ball.centre.z}};
       for (int j = 0; j < 4; ++j) {
         double const sx = random.chance(0.5) ? 1 : -1, sy = random.chance(0.5) ? 1 : -1;
@@ -40,7 +42,7 @@ TEST_CASE("segment_ball: tangents, ends on the sphere, and a ball that is a poin
   CHECK_FALSE(half_open(unit, {-2, 0, 0}, {-1, 0, 0}));
   CHECK_FALSE(half_open(unit, {-2, 1, 0}, {0, 1, 0}));  // stops at the tangent point
   CHECK(closed(unit, {-2, 1, 0}, {0, 1, 0}));
-  CHECK(half_open(unit, {0, 1, 0}, {2, 1, 0}));         // starts at it
+  CHECK(half_open(unit, {0, 1, 0}, {2, 1, 0}));  // starts at it
   CHECK(half_open(point, {0, 0, 0}, {2, 2, 2}));
   CHECK_FALSE(half_open(point, {0, 0, 0}, {1, 1, 1}));
   CHECK_FALSE(closed(point, {0, 0, 0}, {2, 2, std::nextafter(2, 3)}));
@@ -54,7 +56,8 @@ TEST_CASE("bounding_box: contains the ball exactly", "[geometry][conservative]")
     Ball const b{{any(), any(), any()}, std::fabs(any())};
     Box const box = bounding_box(b);
     RationalNumber const r(b.radius);
-    for (auto const& [lo, c, hi] : {std::tuple(box.min.x, b.centre.x, box.max.x), std::tuple(box.min.y, b.centre.y, box.max.y)}) {
+    for (auto const& [lo, c, hi] :
+         {std::tuple(box.min.x, b.centre.x, box.max.x), std::tuple(box.min.y, b.centre.y, box.max.y)}) {
       REQUIRE(RationalNumber(lo) <= RationalNumber(c) - r);
       REQUIRE(RationalNumber(hi) >= RationalNumber(c) + r);
     }

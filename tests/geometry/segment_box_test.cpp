@@ -4,7 +4,8 @@
 using namespace visibility;
 using namespace visibility::test;
 
-TEST_CASE("segment_box: agrees with exact clipping, closed and half-open, at all scales, flat boxes too", "[geometry][oracle][degenerate]")
+TEST_CASE("segment_box: agrees with exact clipping, closed and half-open, at all scales, flat boxes too",
+          "[geometry][oracle][degenerate]")
 {
   Random random(60);
   Reached reached;
@@ -30,9 +31,9 @@ TEST_CASE("segment_box: a segment that stops at the box touches it with its end 
     CHECK_FALSE(half_open({-1, -1, -1}, end));
     CHECK(half_open(end, {-1, -1, -1}));  // the start belongs to the segment
   }
-  CHECK(half_open({0, 0, -1}, {0, 0, 0.5}));        // along an edge
+  CHECK(half_open({0, 0, -1}, {0, 0, 0.5}));  // along an edge
   CHECK_FALSE(half_open({0, 0, -1}, {0, 0, 0}));
-  CHECK(half_open({0, -1, 0.5}, {0, 0.5, 0.5}));    // in a face's plane
-  CHECK(half_open({-1, 1, 0.5}, {1, -1, 0.5}));     // across an edge
+  CHECK(half_open({0, -1, 0.5}, {0, 0.5, 0.5}));  // in a face's plane
+  CHECK(half_open({-1, 1, 0.5}, {1, -1, 0.5}));   // across an edge
   CHECK_FALSE(closed({-1, 1, 0.5}, {1, std::nextafter(-1, -2), 0.5}));
 }

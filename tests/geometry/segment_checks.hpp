@@ -33,22 +33,23 @@ inline Point3d special_point(std::vector<Point3d> const& v, Random& random, doub
     return Point3d{i * a.x + j * b.x + k * c.x, i * a.y + j * b.y + k * c.y, i * a.z + j * b.z + k * c.z};
   };
   switch (random.below(8)) {
-    case 0: return a;
-    case 1: return combine(0.5, 0.5, 0);
-    case 2: return combine(2, -1, 0);
-    case 3: return combine(-1, 1, 1);
-    case 4: return combine(1.5, -0.5, 0);
-    case 5: return combine(0.5, 1, -0.5);
-    default: {
-      Point3d const p = random.grid_point(-24, 24);
-      return scaled(p, scale);
-    }
+  case 0: return a;
+  case 1: return combine(0.5, 0.5, 0);
+  case 2: return combine(2, -1, 0);
+  case 3: return combine(-1, 1, 1);
+  case 4: return combine(1.5, -0.5, 0);
+  case 5: return combine(0.5, 1, -0.5);
+  default: {
+    Point3d const p = random.grid_point(-24, 24);
+    return scaled(p, scale);
+  }
   }
 }
 
 /// Requires Filtered == Rational == oracle for closed and half-open segments with ends in special positions.
 template <class Body>
-void check_segments(Body const& body, std::vector<Point3d> const& landmarks, Random& random, double scale, int count, Reached& reached)
+void check_segments(Body const& body, std::vector<Point3d> const& landmarks, Random& random, double scale, int count,
+                    Reached& reached)
 {
   for (int i = 0; i < count; ++i) {
     Point3d p = special_point(landmarks, random, scale), q = special_point(landmarks, random, scale);
@@ -78,7 +79,8 @@ inline void require_reached(Reached const& r)
 
 inline Point3d even_point(Random& random, int reach)
 {
-  return {2.0 * random.between(-reach, reach), 2.0 * random.between(-reach, reach), 2.0 * random.between(-reach, reach)};
+  return {2.0 * random.between(-reach, reach), 2.0 * random.between(-reach, reach),
+          2.0 * random.between(-reach, reach)};
 }
 
 inline std::vector<Point3d> landmarks(Box const& b)

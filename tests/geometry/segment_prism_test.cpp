@@ -24,7 +24,8 @@ std::vector<Point2d> footprint(Random& random)
 
 }  // namespace
 
-TEST_CASE("segment_prism: agrees with exact clipping, closed and half-open, at all scales", "[geometry][oracle][degenerate]")
+TEST_CASE("segment_prism: agrees with exact clipping, closed and half-open, at all scales",
+          "[geometry][oracle][degenerate]")
 {
   Random random(62);
   Reached reached;
@@ -44,9 +45,9 @@ TEST_CASE("segment_prism: vertical segments", "[geometry][degenerate]")
   ConvexPrism const prism{{{0, 0}, {8, 0}, {2, 6}}, 0, 10};
   auto const half_open = [&](Point3d p, Point3d q) { return segment_meets<Filtered, End::excluded>(prism, p, q); };
   CHECK(half_open({3, 2, 20}, {3, 2, -5}));
-  CHECK(half_open({2, 6, 20}, {2, 6, -5}));       // along an edge
-  CHECK(half_open({4, 0, 20}, {4, 0, 9}));        // in a wall
-  CHECK_FALSE(half_open({3, 2, 20}, {3, 2, 10})); // stops on the roof
+  CHECK(half_open({2, 6, 20}, {2, 6, -5}));        // along an edge
+  CHECK(half_open({4, 0, 20}, {4, 0, 9}));         // in a wall
+  CHECK_FALSE(half_open({3, 2, 20}, {3, 2, 10}));  // stops on the roof
   CHECK_FALSE(half_open({2, 7, 20}, {2, 7, -5}));
-  CHECK(half_open({3, 2, 10}, {3, 2, 20}));       // leaves from the roof
+  CHECK(half_open({3, 2, 10}, {3, 2, 20}));  // leaves from the roof
 }

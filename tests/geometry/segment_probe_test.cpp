@@ -42,7 +42,8 @@ TEST_CASE("SegmentProbe: is right one unit in the last place from a corner", "[g
     Box const box{lo, {lo.x + size, lo.y + size * random.unit(), lo.z + size * random.unit()}};
     Point3d const corner = box.corner(random.below(8)), d = random.point(-1, 1);
     double const s = random.uniform(-100, 0), t = random.uniform(0, 100);
-    Point3d const p{corner.x + s * d.x, corner.y + s * d.y, corner.z + s * d.z}, q{corner.x + t * d.x, corner.y + t * d.y, corner.z + t * d.z};
+    Point3d const p{corner.x + s * d.x, corner.y + s * d.y, corner.z + s * d.z},
+      q{corner.x + t * d.x, corner.y + t * d.y, corner.z + t * d.z};
     if (p == q) continue;
     bool const misses = SegmentProbe(p, q).certainly_misses(box);
     certain += misses;

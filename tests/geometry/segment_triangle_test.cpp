@@ -4,7 +4,8 @@
 using namespace visibility;
 using namespace visibility::test;
 
-TEST_CASE("segment_triangle: agrees with exact clipping, closed and half-open, degenerate triangles too", "[geometry][oracle][degenerate]")
+TEST_CASE("segment_triangle: agrees with exact clipping, closed and half-open, degenerate triangles too",
+          "[geometry][oracle][degenerate]")
 {
   Random random(63);
   Reached reached;
@@ -32,7 +33,8 @@ TEST_CASE("segment_triangle: agrees with exact clipping, closed and half-open, d
         CAPTURE(p.x, p.y, p.z, q.x, q.y, q.z);
         for (End const end : {End::included, End::excluded}) {
           bool const met = oracle::meets(t, p, q, end);
-          REQUIRE((end == End::included ? segment_meets<Filtered>(t, p, q) : segment_meets<Filtered, End::excluded>(t, p, q)) == met);
+          REQUIRE((end == End::included ? segment_meets<Filtered>(t, p, q)
+                                        : segment_meets<Filtered, End::excluded>(t, p, q)) == met);
         }
       }
     }

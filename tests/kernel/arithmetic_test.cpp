@@ -11,7 +11,10 @@ namespace {
 /// x y - z: the smallest formula that tells the layers apart.
 struct ProductMinus {
   template <class T>
-  auto operator()(T const& x, T const& y, T const& z) const { return x * y - z; }
+  auto operator()(T const& x, T const& y, T const& z) const
+  {
+    return x * y - z;
+  }
 };
 
 }  // namespace
@@ -24,7 +27,8 @@ TEST_CASE("build: products are not contracted into fused multiply-adds", "[build
 
 TEST_CASE("build: subnormal numbers are not flushed to zero", "[build]")
 {
-  double volatile const smallest = std::numeric_limits<double>::denorm_min(), least = std::numeric_limits<double>::min();
+  double volatile const smallest = std::numeric_limits<double>::denorm_min(),
+                        least = std::numeric_limits<double>::min();
   CHECK(smallest > 0);
   CHECK(least / 2 > 0);
   CHECK(least - least * (1 - 0x1p-52) > 0);

@@ -22,8 +22,9 @@ int sign_of_mixture(double a, double b, double c, double d, double e)
 double any_double(Random& random)
 {
   using limits = std::numeric_limits<double>;
-  static constexpr double special[] = {0.0, -0.0, limits::denorm_min(), -limits::denorm_min(), limits::min(), -limits::min(),
-                                       limits::max(), -limits::max(), 1.0, -1.0, 0x1.fffffffffffffp-1023};
+  static constexpr double special[] = {0.0,           -0.0,           limits::denorm_min(),   -limits::denorm_min(),
+                                       limits::min(), -limits::min(), limits::max(),          -limits::max(),
+                                       1.0,           -1.0,           0x1.fffffffffffffp-1023};
   if (random.chance(0.25)) return special[random.below(11)];
   for (;;) {
     double const x = std::bit_cast<double>(random.bits());
@@ -41,11 +42,13 @@ TEST_CASE("ExactNumber: its signs are those of rationals for all finite doubles"
     for (auto& v : x) v = any_double(random);
     if (random.chance(0.3)) x[2] = x[0], x[3] = x[1];  // a b - c d cancels
     CAPTURE(x[0], x[1], x[2], x[3], x[4]);
-    REQUIRE(sign_of_mixture<ExactNumber>(x[0], x[1], x[2], x[3], x[4]) == sign_of_mixture<RationalNumber>(x[0], x[1], x[2], x[3], x[4]));
+    REQUIRE(sign_of_mixture<ExactNumber>(x[0], x[1], x[2], x[3], x[4]) ==
+            sign_of_mixture<RationalNumber>(x[0], x[1], x[2], x[3], x[4]));
   }
 }
 
-TEST_CASE("ExactNumber and RationalNumber: a double converts exactly, down to the smallest subnormal", "[kernel][oracle]")
+TEST_CASE("ExactNumber and RationalNumber: a double converts exactly, down to the smallest subnormal",
+          "[kernel][oracle]")
 {
   Random random(42);
   for (int i = 0; i < trials(2000); ++i) {

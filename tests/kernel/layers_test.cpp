@@ -17,15 +17,24 @@ struct Shaped {
   template <class T>
   auto operator()(T const& a, T const& b, T const& c, T const& d) const
   {
-    if constexpr (Shape == 0) return a - b;
-    else if constexpr (Shape == 1) return a * b - c * d;
-    else if constexpr (Shape == 2) return (a - b) * (c + d) - a * c;
-    else if constexpr (Shape == 3) return ((a - b) - (c - d)) * (a + b) + d;
-    else if constexpr (Shape == 4) return (a * b - c * d) * (a * c - b * d) * (a * d - b * c);
-    else if constexpr (Shape == 5) return a * (b * (c * (d - a))) - (a + b) * (c * d) * (a - d);
-    else if constexpr (Shape == 6) return (a - b) + (c - d);
-    else if constexpr (Shape == 7) return (a - b) - c + (a * a) * d - d * (c * c);
-    else return a;
+    if constexpr (Shape == 0)
+      return a - b;
+    else if constexpr (Shape == 1)
+      return a * b - c * d;
+    else if constexpr (Shape == 2)
+      return (a - b) * (c + d) - a * c;
+    else if constexpr (Shape == 3)
+      return ((a - b) - (c - d)) * (a + b) + d;
+    else if constexpr (Shape == 4)
+      return (a * b - c * d) * (a * c - b * d) * (a * d - b * c);
+    else if constexpr (Shape == 5)
+      return a * (b * (c * (d - a))) - (a + b) * (c * d) * (a - d);
+    else if constexpr (Shape == 6)
+      return (a - b) + (c - d);
+    else if constexpr (Shape == 7)
+      return (a - b) - c + (a * a) * d - d * (c * c);
+    else
+      return a;
   }
 };
 
@@ -34,11 +43,11 @@ double varied(Random& random)
   if (random.chance(0.1)) return 0;
   double const m = random.chance(0.5) ? double(random.between(-5, 5)) : random.uniform(-1, 1);
   switch (random.below(6)) {
-    case 0: return std::ldexp(m, random.between(-1074, 1020));
-    case 1: return std::ldexp(m, random.between(-360, -150));  // products underflow
-    case 2: return std::ldexp(m, random.between(150, 360));    // products overflow
-    case 3: return std::ldexp(m, -1070);
-    default: return m;
+  case 0: return std::ldexp(m, random.between(-1074, 1020));
+  case 1: return std::ldexp(m, random.between(-360, -150));  // products underflow
+  case 2: return std::ldexp(m, random.between(150, 360));    // products overflow
+  case 3: return std::ldexp(m, -1070);
+  default: return m;
   }
 }
 
@@ -85,7 +94,8 @@ TEST_CASE("filter: an overflow certifies nothing", "[kernel][layer]")
   CHECK_FALSE(layers::filter(Shaped<1>{}, big, big, 1.0, 1.0));
   CHECK_FALSE(layers::filter(Shaped<1>{}, big, big, big, big / 2));
   CHECK_FALSE(layers::filter(Shaped<0>{}, big, -big, 0.0, 0.0));
-  CHECK_FALSE(bounded::certified_sign((bounded::Input{big} - bounded::Input{-big}) * bounded::Input{0}));  // infinity times zero
+  CHECK_FALSE(
+    bounded::certified_sign((bounded::Input{big} - bounded::Input{-big}) * bounded::Input{0}));  // infinity times zero
   CHECK(Filtered::sign(Shaped<2>{}, big, -big, 0.0, 0.0) == Sign::zero);
 }
 
@@ -102,6 +112,7 @@ TEST_CASE("interval: outside its domain it abstains, inside it cannot overflow",
   CHECK_FALSE(layers::interval(Shaped<1>{}, std::nextafter(edge, HUGE_VAL), 1.0, 1.0, 1.0));
   CHECK_FALSE(layers::interval(Shaped<1>{}, std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0, 1.0));
   CHECK_FALSE(layers::interval(Shaped<1>{}, HUGE_VAL, 1.0, 1.0, 1.0));
-  CHECK(layers::interval(Shaped<4>{}, edge, edge / 2, edge / 4, edge) == Rational::sign(Shaped<4>{}, edge, edge / 2, edge / 4, edge));
+  CHECK(layers::interval(Shaped<4>{}, edge, edge / 2, edge / 4, edge) ==
+        Rational::sign(Shaped<4>{}, edge, edge / 2, edge / 4, edge));
   CHECK(layers::interval(Shaped<1>{}, 3.0, 5.0, 15.0, 1.0) == Sign::zero);
 }

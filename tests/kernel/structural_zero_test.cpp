@@ -26,7 +26,8 @@ TEST_CASE("StructuralZero: what it calls zero is zero", "[kernel][law]")
   for (int i = 0; i < trials(20000); ++i) {
     auto const pick = [&] { return values[random.below(10)]; };
     double const a = pick(), b = pick(), c = pick(), d = pick();
-    StructuralZero const pattern = Mixed{}(StructuralInput{a}, StructuralInput{b}, StructuralInput{c}, StructuralInput{d});
+    StructuralZero const pattern =
+      Mixed{}(StructuralInput{a}, StructuralInput{b}, StructuralInput{c}, StructuralInput{d});
     if (!pattern.zero) continue;
     ++zeros;
     CAPTURE(a, b, c, d);
@@ -35,7 +36,8 @@ TEST_CASE("StructuralZero: what it calls zero is zero", "[kernel][law]")
   REQUIRE(zeros > 0);
 }
 
-TEST_CASE("StructuralZero: sums of opposite and differences of equal inputs are zero, also where doubles overflow", "[kernel]")
+TEST_CASE("StructuralZero: sums of opposite and differences of equal inputs are zero, also where doubles overflow",
+          "[kernel]")
 {
   using In = StructuralInput;
   CHECK((In{1e308} - In{1e308}).zero);

@@ -99,7 +99,8 @@ TEST_CASE("strong occlusion: filtered and rational arithmetic agree", "[methods]
   REQUIRE(visible<Filtered>(t.scene, t.cell) == visible<Rational>(t.scene, t.cell));
 }
 
-TEST_CASE("strong occlusion: groups save work and change nothing; a finer granularity never gives more", "[methods][law]")
+TEST_CASE("strong occlusion: groups save work and change nothing; a finer granularity never gives more",
+          "[methods][law]")
 {
   auto const seed = GENERATE(range(1, 41));
   CAPTURE(seed);
@@ -208,9 +209,8 @@ TEST_CASE("strong occlusion: nothing that a rational sight line sees is dropped"
       Point3d const corner = face % 2 == 0 ? b.min : b.max;
       fixed = RationalNumber(face < 2 ? corner.x : face < 4 ? corner.y : corner.z);
       if (p == s) continue;
-      bool const free = std::ranges::none_of(bodies.bodies(), [&](auto const& body) {
-        return segment_meets<Rational, End::excluded>(bodies, body, p, s);
-      });
+      bool const free = std::ranges::none_of(
+        bodies.bodies(), [&](auto const& body) { return segment_meets<Rational, End::excluded>(bodies, body, p, s); });
       if (!free) continue;
       ++seen;
       REQUIRE(std::ranges::binary_search(set, i));

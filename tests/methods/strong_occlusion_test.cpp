@@ -58,7 +58,8 @@ TEST_CASE("strong occlusion: coinciding faces do not hide each other", "[methods
 TEST_CASE("strong occlusion: a box behind an abutting wall is hidden, one before it is not", "[methods][degenerate]")
 {
   Box const wall{{3, -9, -9}, {4, 10, 10}};
-  Scene const scene = scene_of({{"wall", wall}, {"before", {{2, 0, 0}, {3, 1, 1}}}, {"behind", {{4, 0, 0}, {5, 1, 1}}}});
+  Scene const scene =
+    scene_of({{"wall", wall}, {"before", {{2, 0, 0}, {3, 1, 1}}}, {"behind", {{4, 0, 0}, {5, 1, 1}}}});
   REQUIRE(visible_names(scene, unit_cell) == Names{"before", "wall"});
 }
 
@@ -66,7 +67,8 @@ TEST_CASE("strong occlusion: touching counts -- a wall of exactly the shadow's s
 {
   // From the unit cell, the shaft to this box crosses x = 2 in exactly [0, 1]^2, x = 4 in exactly [0, 1]^2.
   Box const target{{5, 0, 0}, {6, 1, 1}};
-  REQUIRE(visible_names(scene_of({{"wall", {{2, 0, 0}, {2.5, 1, 1}}}, {"target", target}}), unit_cell) == Names{"wall"});
+  REQUIRE(visible_names(scene_of({{"wall", {{2, 0, 0}, {2.5, 1, 1}}}, {"target", target}}), unit_cell) ==
+          Names{"wall"});
   double const less = std::nextafter(1.0, 0.0);
   REQUIRE(visible_names(scene_of({{"wall", {{2, 0, 0}, {2.5, 1, less}}}, {"target", target}}), unit_cell) ==
           Names{"target", "wall"});
@@ -75,7 +77,8 @@ TEST_CASE("strong occlusion: touching counts -- a wall of exactly the shadow's s
 TEST_CASE("strong occlusion: an object that meets the closed cell is visible", "[methods][degenerate]")
 {
   Box const around{{1, -5, -5}, {2, 6, 6}};  // touches the cell's face x = 1
-  Scene const scene = scene_of({{"around", around}, {"corner", {{1, 1, 1}, {2, 2, 2}}}, {"in", {{0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}}}});
+  Scene const scene =
+    scene_of({{"around", around}, {"corner", {{1, 1, 1}, {2, 2, 2}}}, {"in", {{0.4, 0.4, 0.4}, {0.6, 0.6, 0.6}}}});
   REQUIRE(visible_names(scene, unit_cell) == Names{"around", "corner", "in"});
 }
 
@@ -106,7 +109,9 @@ TEST_CASE("strong occlusion: every kind of body is an occluder", "[methods]")
   };
   REQUIRE(hides([](auto& b) { b.add(Ball{{10, 0.5, 0.5}, 3}); }));
   REQUIRE_FALSE(hides([](auto& b) { b.add(Ball{{10, 0.5, 0.5}, 0.5}); }));
-  REQUIRE(hides([](auto& b) { b.add(Prism{{{{9, -5}, {10, 0.5}, {9, 6}, {11, 0.5}}}, -5, 6}); }) == false);  // two wings
+  REQUIRE(hides([](auto& b) {
+            b.add(Prism{{{{9, -5}, {10, 0.5}, {9, 6}, {11, 0.5}}}, -5, 6});
+          }) == false);  // two wings
   REQUIRE(hides([](auto& b) { b.add(Prism{{{{9, -5}, {11, -5}, {10, 6}}}, -5, 6}); }));
   REQUIRE(hides([](auto& b) { b.add(ConvexPolyhedron::from_box({{9, -5, -5}, {11, 6, 6}})); }));
   REQUIRE(hides([](auto& b) {

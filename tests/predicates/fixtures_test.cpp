@@ -12,7 +12,8 @@ TEMPLATE_TEST_CASE("orient2d: the published exact signs are reproduced", "[predi
   });
 }
 
-TEMPLATE_TEST_CASE("orient3d: the published exact signs are reproduced, turned round", "[predicates][oracle]", Filtered, Rational)
+TEMPLATE_TEST_CASE("orient3d: the published exact signs are reproduced, turned round", "[predicates][oracle]", Filtered,
+                   Rational)
 {
   // Shewchuk's orient3d is positive where ours is negative.
   for_each_fixture<12>("orient3d.txt", [](auto const& x, Sign s) {

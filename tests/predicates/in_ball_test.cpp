@@ -4,7 +4,8 @@
 using namespace visibility;
 using namespace visibility::test;
 
-TEST_CASE("in_ball: Filtered equals Rational, and every layer that speaks is right", "[predicates][agreement][degenerate]")
+TEST_CASE("in_ball: Filtered equals Rational, and every layer that speaks is right",
+          "[predicates][agreement][degenerate]")
 {
   auto outcomes = check_agreement(detail::InBallFormula{}, [](PointSource& s) {
     auto const [p, c, d] = s.tuple<3>();

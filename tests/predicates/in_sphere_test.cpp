@@ -11,7 +11,8 @@ namespace {
 
 struct InCircle {
   template <class T>
-  auto operator()(T const& ax, T const& ay, T const& bx, T const& by, T const& cx, T const& cy, T const& dx, T const& dy) const
+  auto operator()(T const& ax, T const& ay, T const& bx, T const& by, T const& cx, T const& cy, T const& dx,
+                  T const& dy) const
   {
     auto const adx = ax - dx, ady = ay - dy, bdx = bx - dx, bdy = by - dy, cdx = cx - dx, cdy = cy - dy;
     auto const a = adx * adx + ady * ady, b = bdx * bdx + bdy * bdy, c = cdx * cdx + cdy * cdy;
@@ -21,8 +22,9 @@ struct InCircle {
 
 struct InSphere {
   template <class T>
-  auto operator()(T const& ax, T const& ay, T const& az, T const& bx, T const& by, T const& bz, T const& cx, T const& cy,
-                  T const& cz, T const& dx, T const& dy, T const& dz, T const& ex, T const& ey, T const& ez) const
+  auto operator()(T const& ax, T const& ay, T const& az, T const& bx, T const& by, T const& bz, T const& cx,
+                  T const& cy, T const& cz, T const& dx, T const& dy, T const& dz, T const& ex, T const& ey,
+                  T const& ez) const
   {
     auto const aex = ax - ex, aey = ay - ey, aez = az - ez, bex = bx - ex, bey = by - ey, bez = bz - ez;
     auto const cex = cx - ex, cey = cy - ey, cez = cz - ez, dex = dx - ex, dey = dy - ey, dez = dz - ez;
@@ -40,19 +42,25 @@ struct InSphere {
 
 TEST_CASE("layers: the in-circle determinant has its exact sign", "[predicates][agreement]")
 {
-  auto outcomes = check_agreement(InCircle{}, [](PointSource& s) {
-    auto const [a, b, c, d] = s.tuple<4>();
-    return std::tuple(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
-  }, 500);
+  auto outcomes = check_agreement(
+    InCircle{},
+    [](PointSource& s) {
+      auto const [a, b, c, d] = s.tuple<4>();
+      return std::tuple(a.x, a.y, b.x, b.y, c.x, c.y, d.x, d.y);
+    },
+    500);
   REQUIRE(outcomes[Recipe::grid].signs[1] > 0);
 }
 
 TEST_CASE("layers: the in-sphere determinant has its exact sign", "[predicates][agreement]")
 {
-  auto outcomes = check_agreement(InSphere{}, [](PointSource& s) {
-    auto const [a, b, c, d, e] = s.tuple<5>();
-    return std::tuple(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z);
-  }, 300);
+  auto outcomes = check_agreement(
+    InSphere{},
+    [](PointSource& s) {
+      auto const [a, b, c, d, e] = s.tuple<5>();
+      return std::tuple(a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, d.x, d.y, d.z, e.x, e.y, e.z);
+    },
+    300);
   REQUIRE(outcomes[Recipe::grid].signs[1] > 0);
   REQUIRE(outcomes[Recipe::coplanar].signs[1] > 0);
 }

@@ -14,7 +14,8 @@ double some_radius(PointSource& s, Point3d const& p, Point3d const& c)
 
 }  // namespace
 
-TEST_CASE("line_ball: Filtered equals Rational, and every layer that speaks is right", "[predicates][agreement][degenerate]")
+TEST_CASE("line_ball: Filtered equals Rational, and every layer that speaks is right",
+          "[predicates][agreement][degenerate]")
 {
   auto outcomes = check_agreement(detail::LineBallFormula{}, [](PointSource& s) {
     auto const [p, q, c] = s.tuple<3>();
@@ -26,7 +27,8 @@ TEST_CASE("line_ball: Filtered equals Rational, and every layer that speaks is r
   REQUIRE(outcomes[Recipe::huge].layers.exact > 0);
 }
 
-TEST_CASE("along: Filtered equals Rational, and every layer that speaks is right", "[predicates][agreement][degenerate]")
+TEST_CASE("along: Filtered equals Rational, and every layer that speaks is right",
+          "[predicates][agreement][degenerate]")
 {
   auto outcomes = check_agreement(detail::AlongFormula{}, [](PointSource& s) {
     auto const [p, q, c] = s.tuple<3>();
@@ -36,7 +38,8 @@ TEST_CASE("along: Filtered equals Rational, and every layer that speaks is right
   REQUIRE(outcomes[Recipe::huge].layers.exact > 0);
 }
 
-TEST_CASE("line_ball: a tangent line is tangent, one unit in the last place of the radius decides", "[predicates][degenerate][layer]")
+TEST_CASE("line_ball: a tangent line is tangent, one unit in the last place of the radius decides",
+          "[predicates][degenerate][layer]")
 {
   Random random(30);
   ThreadTally::reset();
@@ -44,7 +47,8 @@ TEST_CASE("line_ball: a tangent line is tangent, one unit in the last place of t
     // the tangent point is c + k (2, 3, 6); (3, -2, 0) and (3, 0, -1) span the tangent plane
     double const k = double(1 + (random.bits() >> 40)), r = 7 * k;
     Point3d const c{double(random.below(1 << 20)), double(random.below(1 << 20)), double(random.below(1 << 20))};
-    int const a = random.between(-99999, 99999), b = random.between(-99999, 99999), s = random.between(-9, 0), t = random.between(1, 9);
+    int const a = random.between(-99999, 99999), b = random.between(-99999, 99999), s = random.between(-9, 0),
+              t = random.between(1, 9);
     if (a == 0 && b == 0) continue;
     auto const at = [&](double m) {
       return Point3d{c.x + 2 * k + m * (3 * a + 3 * b), c.y + 3 * k - m * (2 * a), c.z + 6 * k - m * b};

@@ -13,7 +13,8 @@ Sign plucker_product(Point3d const& p, Point3d const& q, Point3d const& r, Point
   auto const [P, Q, R, S] = std::tuple(exact(p), exact(q), exact(r), exact(s));
   auto const half = [](Point3q const& a, Point3q const& b, Point3q const& c, Point3q const& d) -> NT {
     // (b - a) . (c x d)
-    return (b.x - a.x) * (c.y * d.z - c.z * d.y) + (b.y - a.y) * (c.z * d.x - c.x * d.z) + (b.z - a.z) * (c.x * d.y - c.y * d.x);
+    return (b.x - a.x) * (c.y * d.z - c.z * d.y) + (b.y - a.y) * (c.z * d.x - c.x * d.z) +
+           (b.z - a.z) * (c.x * d.y - c.y * d.x);
   };
   return static_cast<Sign>(static_cast<int>(CGAL::sign(half(P, Q, R, S) + half(R, S, P, Q))));
 }
@@ -53,7 +54,7 @@ TEST_CASE("line_side: lines that meet or are parallel are on no side", "[predica
   auto const side = [](Point3d a, Point3d b, Point3d c, Point3d d) { return line_side<Filtered>(a, b, c, d); };
   CHECK(side(p, q, q, r) == Sign::zero);
   CHECK(side(p, q, r, p) == Sign::zero);
-  CHECK(side({0, 0, 0}, {3, 5, 7}, {1, 1, 1}, {7, 11, 15}) == Sign::zero);   // parallel
+  CHECK(side({0, 0, 0}, {3, 5, 7}, {1, 1, 1}, {7, 11, 15}) == Sign::zero);    // parallel
   CHECK(side({0, 0, 0}, {3, 5, 7}, {6, 10, 14}, {9, 15, 21}) == Sign::zero);  // one line
   CHECK(side({0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}) == Sign::negative);
 }

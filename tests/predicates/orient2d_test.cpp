@@ -4,7 +4,8 @@
 using namespace visibility;
 using namespace visibility::test;
 
-TEST_CASE("orient2d: Filtered equals Rational, and every layer that speaks is right", "[predicates][agreement][degenerate]")
+TEST_CASE("orient2d: Filtered equals Rational, and every layer that speaks is right",
+          "[predicates][agreement][degenerate]")
 {
   auto outcomes = check_agreement(detail::Orient2dFormula{}, [](PointSource& s) {
     auto const [p, q, r] = s.tuple<3>();
@@ -47,10 +48,10 @@ TEST_CASE("orient2d: a known input is decided by the layer that is meant for it"
   };
   CHECK(layer({0, 0}, {1, 0}, {0, 1}, Sign::positive) == Layer::filter);
   CHECK(layer({0, 0}, {0, 1}, {1, 0}, Sign::negative) == Layer::filter);
-  CHECK(layer({0.1, 0.7}, {0.2, 0.7}, {0.5, 0.7}, Sign::zero) == Layer::filter);      // one height
-  CHECK(layer({0.1, 0.7}, {0.2, 0.9}, {0.1, 0.7}, Sign::zero) == Layer::filter);      // p == r
-  CHECK(layer({0.1, 0.7}, {0.1, 0.7}, {0.3, 0.5}, Sign::zero) == Layer::filter);      // p == q
-  CHECK(layer({0, 0}, {3, 5}, {6, 10}, Sign::zero) <= Layer::interval);                // exact in double
+  CHECK(layer({0.1, 0.7}, {0.2, 0.7}, {0.5, 0.7}, Sign::zero) == Layer::filter);  // one height
+  CHECK(layer({0.1, 0.7}, {0.2, 0.9}, {0.1, 0.7}, Sign::zero) == Layer::filter);  // p == r
+  CHECK(layer({0.1, 0.7}, {0.1, 0.7}, {0.3, 0.5}, Sign::zero) == Layer::filter);  // p == q
+  CHECK(layer({0, 0}, {3, 5}, {6, 10}, Sign::zero) <= Layer::interval);           // exact in double
   CHECK(layer({0.1, 0.1}, {0.2, 0.2}, {0.7, std::nextafter(0.7, 1)}, Sign::positive) >= Layer::interval);
   CHECK(layer({1e308, 1e308}, {-1e308, -1e308}, {0, 1e308}, Sign::negative) == Layer::exact);
   CHECK(layer({0, 0}, {0x1p-1074, 0}, {0, 0x1p-1074}, Sign::positive) >= Layer::interval);

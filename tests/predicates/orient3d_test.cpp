@@ -7,7 +7,8 @@
 using namespace visibility;
 using namespace visibility::test;
 
-TEST_CASE("orient3d: Filtered equals Rational, and every layer that speaks is right", "[predicates][agreement][degenerate]")
+TEST_CASE("orient3d: Filtered equals Rational, and every layer that speaks is right",
+          "[predicates][agreement][degenerate]")
 {
   auto outcomes = check_agreement(detail::Orient3dFormula{}, [](PointSource& s) {
     auto const [p, q, r, t] = s.tuple<4>();
@@ -18,7 +19,8 @@ TEST_CASE("orient3d: Filtered equals Rational, and every layer that speaks is ri
     CAPTURE(name(recipe));
     REQUIRE(outcomes[recipe].layers.exact > 0);
   }
-  for (Recipe const recipe : {Recipe::grid, Recipe::coplanar, Recipe::collinear, Recipe::coincident, Recipe::subnormal, Recipe::huge, Recipe::city}) {
+  for (Recipe const recipe : {Recipe::grid, Recipe::coplanar, Recipe::collinear, Recipe::coincident, Recipe::subnormal,
+                              Recipe::huge, Recipe::city}) {
     CAPTURE(name(recipe));
     REQUIRE(outcomes[recipe].signs[1] > 0);
   }
@@ -54,7 +56,8 @@ TEST_CASE("orient3d: the sign is CGAL's", "[predicates][oracle]")
     PointSource source(recipe, 9);
     for (int i = 0; i < trials(500); ++i) {
       auto const [p, q, r, s] = source.tuple<4>();
-      REQUIRE(static_cast<int>(orient3d<Filtered>(p, q, r, s)) == static_cast<int>(CGAL::orientation(cgal(p), cgal(q), cgal(r), cgal(s))));
+      REQUIRE(static_cast<int>(orient3d<Filtered>(p, q, r, s)) ==
+              static_cast<int>(CGAL::orientation(cgal(p), cgal(q), cgal(r), cgal(s))));
     }
   }
 }
@@ -88,7 +91,8 @@ TEST_CASE("orient3d: over a vertical edge it is orient2d of the foot", "[predica
       auto const [p, q, foot] = source.tuple<3>();
       Point3d const above{foot.x, foot.y, std::nextafter(foot.z, HUGE_VAL)};
       if (!std::isfinite(above.z)) continue;
-      REQUIRE(orient3d<Filtered>(p, q, foot, above) == orient2d<Filtered>(horizontal(p), horizontal(q), horizontal(foot)));
+      REQUIRE(orient3d<Filtered>(p, q, foot, above) ==
+              orient2d<Filtered>(horizontal(p), horizontal(q), horizontal(foot)));
     }
   }
 }

@@ -51,7 +51,9 @@ Layer deciding_layer(Ask const& ask)
   ThreadTally::reset();
   ask();
   REQUIRE(ThreadTally::counts.total() == 1);
-  return ThreadTally::counts.filter == 1 ? Layer::filter : ThreadTally::counts.interval == 1 ? Layer::interval : Layer::exact;
+  return ThreadTally::counts.filter == 1     ? Layer::filter
+         : ThreadTally::counts.interval == 1 ? Layer::interval
+                                             : Layer::exact;
 }
 
 }  // namespace visibility::test

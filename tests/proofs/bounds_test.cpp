@@ -37,9 +37,11 @@ void for_each_k(Check const& check)
 
 /// How many roundings the type of a formula counts.
 template <class Formula, std::size_t N>
-constexpr int roundings = []<std::size_t... I>(std::index_sequence<I...>) {
+constexpr int roundings = []<std::size_t... I>(std::index_sequence<I...>)
+{
   return decltype(Formula{}((static_cast<void>(I), bounded::Input{0})...))::roundings;
-}(std::make_index_sequence<N>{});
+}
+(std::make_index_sequence<N>{});
 
 /// The degree of a formula, as a number type.
 struct Degree {
@@ -52,9 +54,8 @@ Degree operator*(Degree a, Degree b) { return {a.d + b.d}; }
 template <class Formula, std::size_t N>
 int degree()
 {
-  return []<std::size_t... I>(std::index_sequence<I...>) {
-    return Formula{}((static_cast<void>(I), Degree{1})...).d;
-  }(std::make_index_sequence<N>{});
+  return []<std::size_t... I>(std::index_sequence<I...>) { return Formula{}((static_cast<void>(I), Degree{1})...).d; }
+  (std::make_index_sequence<N>{});
 }
 
 NT absolute(NT const& x) { return x < 0 ? NT(-x) : x; }
@@ -116,7 +117,9 @@ namespace {
 double anywhere(Random& random)
 {
   double const m = random.chance(0.3) ? double(random.between(-3, 3)) : random.uniform(-1, 1);
-  return random.chance(0.5) ? m : std::ldexp(m, random.chance(0.5) ? random.between(-1074, 330) : random.between(-560, -300));
+  return random.chance(0.5)
+           ? m
+           : std::ldexp(m, random.chance(0.5) ? random.between(-1074, 330) : random.between(-560, -300));
 }
 
 /// |v - t| <= gamma_K m and |v| <= m.
@@ -136,20 +139,24 @@ TEST_CASE("bounds: Theorem 1 holds for compositions of every kind, underflow inc
 {
   Random random(80);
   for (int i = 0; i < trials(5000); ++i) {
-    double const x[6] = {anywhere(random), anywhere(random), anywhere(random), anywhere(random), anywhere(random), anywhere(random)};
+    double const x[6] = {anywhere(random), anywhere(random), anywhere(random),
+                         anywhere(random), anywhere(random), anywhere(random)};
     CAPTURE(i, x[0], x[1], x[2], x[3], x[4], x[5]);
     auto const steps = [&]<class T>(std::type_identity<T>) {
       T const a{x[0]}, b{x[1]}, c{x[2]}, d{x[3]}, e{x[4]}, f{x[5]};
       auto const difference = a - b, sum = c + d;
       auto const input_product = e * f, product = difference * sum;
       auto const of_products = product - input_product, mixed = difference + product, of_leaves = difference - sum;
-      auto const minor = (a * d - b * c) * (e - f), square = minor * minor, deep = (square - of_products) * mixed + of_leaves * e;
+      auto const minor = (a * d - b * c) * (e - f), square = minor * minor,
+                 deep = (square - of_products) * mixed + of_leaves * e;
       return std::tuple(difference, sum, input_product, product, of_products, mixed, of_leaves, minor, square, deep);
     };
     auto const approximate = steps(std::type_identity<bounded::Input>{});
     auto const truth = steps(std::type_identity<NT>{});
-    [&]<std::size_t... I>(std::index_sequence<I...>) {
+    [&]<std::size_t... I>(std::index_sequence<I...>)
+    {
       (check_theorem(std::get<I>(approximate), std::get<I>(truth)), ...);
-    }(std::make_index_sequence<10>{});
+    }
+    (std::make_index_sequence<10>{});
   }
 }

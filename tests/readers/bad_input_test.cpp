@@ -16,14 +16,19 @@ struct Case {
 
 auto const obj = SceneFormat::obj, ply = SceneFormat::ply, json = SceneFormat::json;
 
-std::string const city = R"({"type":"CityJSON","version":"1.1","CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":1,"boundaries":)";
-std::string const ply_header = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
-                               "property list uchar int vertex_indices\nend_header\n";
+std::string const city =
+  R"({"type":"CityJSON","version":"1.1","CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":1,"boundaries":)";
+std::string const ply_header =
+  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+  "property list uchar int vertex_indices\nend_header\n";
 std::string polygon(std::string const& rings)
 {
   return R"({"type":"Feature","properties":{"h":1},"geometry":{"type":"Polygon","coordinates":)" + rings + "}}";
 }
-std::string native(std::string const& object) { return R"({"format":"visibility-scene/1","objects":[{"name":"a",)" + object + "}]}"; }
+std::string native(std::string const& object)
+{
+  return R"({"format":"visibility-scene/1","objects":[{"name":"a",)" + object + "}]}";
+}
 
 std::vector<Case> const cases = {
   {obj, "", "no objects"},
@@ -44,7 +49,8 @@ std::vector<Case> const cases = {
   {ply, "ply\nelement vertex 3\nend_header\n", "names no format"},
   {ply, "ply\nformat ascii 1.0\nelement vertex -3\nend_header\n", "line 3: '-3' is not a number"},
   {ply, "ply\nformat ascii 1.0\nelement vertex 1\nproperty quad x\nend_header\n", "line 4: unknown property type"},
-  {ply, "ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\nend_header\n", "must be of an integer type"},
+  {ply, "ply\nformat ascii 1.0\nelement face 1\nproperty list float int vertex_indices\nend_header\n",
+   "must be of an integer type"},
   {ply, "ply\nformat ascii 1.0\nelement vertex 0\nproperty float x\nend_header\n", "no property 'y'"},
   {ply, ply_header + "0 0 0 1 1 1 2 2", "vertex 2: the file ends"},
   {ply, ply_header + "0 0 0\n1 x 1\n2 2 2\n3 0 1 2\n", "line 11, vertex 1: 'x' is not a value"},
@@ -52,7 +58,9 @@ std::vector<Case> const cases = {
   {ply, ply_header + "0 0 0\n1 1 1\n2 2 2\n3 0 1 3\n", "a face names vertex 3, but there are 3"},
   {ply, ply_header + "0 0 0\n1 1 1\n2 2 2\n3 0 1 -1\n", "face 0: a face names vertex -1"},
   {ply, ply_header + "0 0 0\n1 1 1\n2 2 2\n1000000000 0 1 2\n", "face 0: list 'vertex_indices' claims"},
-  {ply, "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n", "no faces"},
+  {ply,
+   "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n0 0 0\n",
+   "no faces"},
   {json, "", "is empty"},
   {json, "[1,2]", "neither CityJSON, GeoJSON nor visibility-scene"},
   {json, "{\"type\":\n\"Feature\",,}", "line 2: not valid JSON"},
@@ -67,7 +75,8 @@ std::vector<Case> const cases = {
   {json, polygon("[7]"), "feature 1: a ring must be"},
   {json, polygon("[[7]]"), "feature 1: a position must be"},
   {json, polygon("[[[1,\"2\"]]]"), "feature 1: a position must be"},
-  {json, polygon("[[[0,0],[300,0],[300,1]]]") + "\n{}", "line 2, feature 1: a Feature or FeatureCollection was expected"},
+  {json, polygon("[[[0,0],[300,0],[300,1]]]") + "\n{}",
+   "line 2, feature 1: a Feature or FeatureCollection was expected"},
   {json, R"({"type":"CityJSON","version":"0.9"})", "version '0.9' cannot be read"},
   {json, R"({"type":"CityJSON","version":"1.0"})", "has no 'CityObjects'"},
   {json, R"({"type":"CityJSON","version":"1.0","CityObjects":{}})", "has no list 'vertices'"},
@@ -78,9 +87,12 @@ std::vector<Case> const cases = {
   {json, city + "[7]}]}},\"vertices\":[[0,0,0]]}", "object 'b': a surface must be"},
   {json, city + "7}]}},\"vertices\":[[0,0,0]]}", "object 'b': boundaries must be"},
   {json, city + "[]}]}},\"vertices\":[[0,0]]}", "vertex 0: a vertex must be three numbers"},
-  {json, city + "[]}]}},\"vertices\":[[0,0,0]],\"transform\":{\"scale\":[1,1],\"translate\":[0,0,0]}}", "transform: 'scale' must be"},
-  {json, city + "[]}]}},\"vertices\":[[0,0,0]],\"transform\":{\"scale\":[1e-5000,1,1],\"translate\":[0,0,0]}}", "transform: 'scale' must be"},
-  {json, city + "[]}]}},\"vertices\":[[1e308,0,0]],\"transform\":{\"scale\":[1e300,1,1],\"translate\":[0,0,0]}}", "vertex 0: a coordinate is not finite"},
+  {json, city + "[]}]}},\"vertices\":[[0,0,0]],\"transform\":{\"scale\":[1,1],\"translate\":[0,0,0]}}",
+   "transform: 'scale' must be"},
+  {json, city + "[]}]}},\"vertices\":[[0,0,0]],\"transform\":{\"scale\":[1e-5000,1,1],\"translate\":[0,0,0]}}",
+   "transform: 'scale' must be"},
+  {json, city + "[]}]}},\"vertices\":[[1e308,0,0]],\"transform\":{\"scale\":[1e300,1,1],\"translate\":[0,0,0]}}",
+   "vertex 0: a coordinate is not finite"},
   {json, R"({"format":"visibility-scene/2"})", "unknown format 'visibility-scene/2'"},
   {json, R"({"format":"visibility-scene/1","objects":[]})", "no objects"},
   {json, native(R"("cones":[])"), "object 1 'a': unknown kind 'cones'"},

@@ -36,13 +36,17 @@ TEST_CASE("numbers: whole numbers are written in full", "[readers]")
 TEST_CASE("numbers: overflow is infinite, underflow zero, whatever the spelling", "[readers]")
 {
   auto const nines = std::string(400, '9');
-  for (std::string const text : {"1e309", "1e999", "1e99999999999999999999", "0.1e310", nines.c_str(), "+1e400"}) CHECK(parse_double(text) == HUGE_VAL);
+  for (std::string const text : {"1e309", "1e999", "1e99999999999999999999", "0.1e310", nines.c_str(), "+1e400"})
+    CHECK(parse_double(text) == HUGE_VAL);
   CHECK(parse_double("-1e999") == -HUGE_VAL);
-  for (std::string const text : {"1e-400", "1e-99999999999999999999", "2e-324", "-1e-999", "0.00000000000000000001e-320", "0e999"}) CHECK(parse_double(text) == 0.0);
+  for (std::string const text :
+       {"1e-400", "1e-99999999999999999999", "2e-324", "-1e-999", "0.00000000000000000001e-320", "0e999"})
+    CHECK(parse_double(text) == 0.0);
   CHECK(std::signbit(*parse_double("-1e-999")));
   CHECK(parse_double("." + std::string(400, '0') + "1") == 0.0);
   CHECK(std::isnan(*parse_double("nan")));
-  for (std::string const text : {"", "-", "+", "+-1", "e5", "1x", "0x10", " 1", "1 ", "1e", "--1"}) CHECK_FALSE(parse_double(text));
+  for (std::string const text : {"", "-", "+", "+-1", "e5", "1x", "0x10", " 1", "1 ", "1e", "--1"})
+    CHECK_FALSE(parse_double(text));
 }
 
 TEST_CASE("decimal transform: equals the rational value rounded once", "[readers][law]")
@@ -63,10 +67,13 @@ TEST_CASE("decimal transform: equals the rational value rounded once", "[readers
     int const scale_exponent = -random.between(0, 25), translate_exponent = -random.between(0, 12);
     long const scale = random.between(1, 3), translate = static_cast<long>(random.bits() >> random.between(20, 62));
     long const index = static_cast<long>(random.bits() >> random.between(10, 60)) - 1000;
-    auto const decimal = [](long digits, int e) { return *Decimal::parse(std::to_string(digits) + "e" + std::to_string(e)); };
+    auto const decimal = [](long digits, int e) {
+      return *Decimal::parse(std::to_string(digits) + "e" + std::to_string(e));
+    };
     DecimalTransform const transform(decimal(scale, scale_exponent), decimal(translate, translate_exponent));
-    RationalNumber const exact = RationalNumber(CGAL::Gmpz(index)) * RationalNumber(CGAL::Gmpz(scale)) * power(scale_exponent) +
-                                 RationalNumber(CGAL::Gmpz(translate)) * power(translate_exponent);
+    RationalNumber const exact =
+      RationalNumber(CGAL::Gmpz(index)) * RationalNumber(CGAL::Gmpz(scale)) * power(scale_exponent) +
+      RationalNumber(CGAL::Gmpz(translate)) * power(translate_exponent);
     CAPTURE(scale, scale_exponent, translate, translate_exponent, index);
     REQUIRE(is_nearest(transform(std::int64_t{index}), exact));
     REQUIRE(transform(decimal(index, 0)) == transform(std::int64_t{index}));

@@ -34,8 +34,9 @@ TEST_CASE("obj: all forms of indices, negative ones from the latest vertex", "[r
 
 TEST_CASE("obj: comments, CRLF, continued lines, tabs, appearance", "[readers][obj]")
 {
-  Scene const s = read_obj("# c\r\nv 0 0 0 # origin\r\nv\t1 0 \\\r\n 0\r\nv 1 1 0 0.5 0.5 0.5\r\nvt 0 0\r\nvn 0 0 1\r\ns off\r\n"
-                           "usemtl m\r\no house#2 # named\r\nf 1 2 \\\r\n3\r\n");
+  Scene const s =
+    read_obj("# c\r\nv 0 0 0 # origin\r\nv\t1 0 \\\r\n 0\r\nv 1 1 0 0.5 0.5 0.5\r\nvt 0 0\r\nvn 0 0 1\r\ns off\r\n"
+             "usemtl m\r\no house#2 # named\r\nf 1 2 \\\r\n3\r\n");
   CHECK(names(s) == Names{"house#2"});
   CHECK(s.triangles.size() == 1);
 }

@@ -26,7 +26,8 @@ void put(std::string& out, std::uint64_t bits, int bytes, bool big)
 
 TEST_CASE("ply: ascii, objects by a face property in ascending order", "[readers][ply]")
 {
-  auto const text = ascii("property list uchar int vertex_indices\nproperty int building\n", "3 0 1 2 17\n3 0 2 3 -2\n4 0 1 2 3 17\n");
+  auto const text =
+    ascii("property list uchar int vertex_indices\nproperty int building\n", "3 0 1 2 17\n3 0 2 3 -2\n4 0 1 2 3 17\n");
   Scene const s = read_ply(text);
   CHECK(names(s) == Names{"building -2", "building 17"});
   CHECK(s.objects[1].triangles.size() == 3);
@@ -35,7 +36,8 @@ TEST_CASE("ply: ascii, objects by a face property in ascending order", "[readers
 TEST_CASE("ply: object, object_id and a named property; none is one object", "[readers][ply]")
 {
   for (std::string const word : {"object", "object_id", "floor"}) {
-    auto const text = ascii("property uchar " + word + "\nproperty list uchar int vertex_index\n", "1 3 0 1 2\n2 3 0 2 3\n1 3 0 1 3\n");
+    auto const text =
+      ascii("property uchar " + word + "\nproperty list uchar int vertex_index\n", "1 3 0 1 2\n2 3 0 2 3\n1 3 0 1 3\n");
     ReadOptions options;
     if (word == "floor") {
       CHECK(names(read_ply(text)) == Names{"object 1"});
@@ -48,10 +50,11 @@ TEST_CASE("ply: object, object_id and a named property; none is one object", "[r
 TEST_CASE("ply: binary of either byte order, every scalar type, other elements skipped", "[readers][ply]")
 {
   for (bool const big : {false, true}) {
-    std::string file = std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
-                       " 1.0\nelement camera 1\nproperty list short double pose\nelement vertex 3\nproperty double x\nproperty float y\n"
-                       "property short z\nproperty uchar a\nproperty char b\nproperty ushort c\nproperty uint d\nelement face 1\n"
-                       "property list ushort int vertex_indices\nproperty int building\nend_header\n";
+    std::string file =
+      std::string("ply\nformat ") + (big ? "binary_big_endian" : "binary_little_endian") +
+      " 1.0\nelement camera 1\nproperty list short double pose\nelement vertex 3\nproperty double x\nproperty float y\n"
+      "property short z\nproperty uchar a\nproperty char b\nproperty ushort c\nproperty uint d\nelement face 1\n"
+      "property list ushort int vertex_indices\nproperty int building\nend_header\n";
     put(file, 1, 2, big);
     put(file, std::bit_cast<std::uint64_t>(0.5), 8, big);
     double const xs[] = {0.1, -1e300, 7};
@@ -70,17 +73,18 @@ TEST_CASE("ply: binary of either byte order, every scalar type, other elements s
     CHECK(names(s) == Names{"building -9"});
     CHECK(s.vertices[0] == Point3d{0.1, static_cast<double>(0.1f), -5});
     CHECK(s.vertices[1] == Point3d{-1e300, 2, 300});
-    for (std::size_t n = 0; n < file.size(); ++n)
-      CHECK(refusal(file.substr(0, n), SceneFormat::ply) != "(was read)");
+    for (std::size_t n = 0; n < file.size(); ++n) CHECK(refusal(file.substr(0, n), SceneFormat::ply) != "(was read)");
   }
 }
 
 TEST_CASE("ply: a claimed size is checked against the bytes present", "[readers][ply]")
 {
   for (std::string const encoding : {"ascii", "binary_little_endian"}) {
-    auto const message = refusal("ply\nformat " + encoding + " 1.0\nelement vertex 1000000000\nproperty float x\nproperty float y\n"
-                                 "property float z\nelement face 4000000000\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n",
-                                 SceneFormat::ply);
+    auto const message = refusal(
+      "ply\nformat " + encoding +
+        " 1.0\nelement vertex 1000000000\nproperty float x\nproperty float y\n"
+        "property float z\nelement face 4000000000\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n",
+      SceneFormat::ply);
     CHECK(message.find("claims 1000000000 vertex") != std::string::npos);
   }
 }

@@ -16,8 +16,14 @@ inline Scene read(std::string const& bytes, SceneFormat format, ReadOptions cons
   return scene;
 }
 inline Scene read_obj(std::string const& bytes) { return read(bytes, SceneFormat::obj); }
-inline Scene read_ply(std::string const& bytes, ReadOptions const& options = {}) { return read(bytes, SceneFormat::ply, options); }
-inline Scene read_json(std::string const& bytes, ReadOptions const& options = {}) { return read(bytes, SceneFormat::json, options); }
+inline Scene read_ply(std::string const& bytes, ReadOptions const& options = {})
+{
+  return read(bytes, SceneFormat::ply, options);
+}
+inline Scene read_json(std::string const& bytes, ReadOptions const& options = {})
+{
+  return read(bytes, SceneFormat::json, options);
+}
 
 /// The message of the BadInput that reading must throw.
 inline std::string refusal(std::string const& bytes, SceneFormat format, ReadOptions const& options = {})

@@ -28,7 +28,8 @@ Box random_box(Random& random)
 
 Prism random_prism(Random& random)
 {
-  double const x = any_double(random), y = random.uniform(-100, 100), s = random.uniform(1, 2), z = random.uniform(-50, 50);
+  double const x = any_double(random), y = random.uniform(-100, 100), s = random.uniform(1, 2),
+               z = random.uniform(-50, 50);
   Prism p{{{{x, y}, {x + s, y}, {x + s, y + s}, {x, y + s}}}, z, z + random.uniform(0.1, 90)};
   if (random.chance(0.3)) p.rings.push_back({{x + s / 4, y + s / 4}, {x + s / 2, y + s / 4}, {x + s / 2, y + s / 2}});
   return p;
@@ -60,7 +61,8 @@ Scene random_scene(Random& random, Content content)
     if (content != Content::prisms)
       for (int i = random.between(1, 3); i > 0; --i) {
         std::uint32_t v = 0;
-        for (int k = 0; k < 3; ++k) v = builder.add_vertex({any_double(random), any_double(random), any_double(random)});
+        for (int k = 0; k < 3; ++k)
+          v = builder.add_vertex({any_double(random), any_double(random), any_double(random)});
         builder.add_triangle(v - 2, v - 1, v);
       }
   }
@@ -115,7 +117,8 @@ TEST_CASE("round trip: GeoJSON gives back prisms bit for bit", "[readers][law]")
     for (int i = random.between(1, 4); i > 0; --i) {
       builder.begin_object(std::string("p").append(std::to_string(i)));
       Prism p = random_prism(random);
-      if (std::fabs(p.rings[0][0].x) > 1e12) continue;  // far out points of a small square fall together, and a reader drops repeats
+      if (std::fabs(p.rings[0][0].x) > 1e12)
+        continue;  // far out points of a small square fall together, and a reader drops repeats
       if (p.top < 0) p.bottom = 0, p.top = -p.top;
       builder.add(p);
     }
@@ -138,7 +141,8 @@ TEST_CASE("writers: solids become closed meshes; what a format cannot hold is re
   builder.add(Box{{0, 0, 0}, {1, 2, 3}});
   builder.add(Prism{{{{10, 0}, {14, 0}, {14, 4}, {10, 4}}, {{11, 1}, {12, 1}, {12, 2}}}, 0, 2});
   Scene const scene = builder.finish();
-  for (auto const& [kind, format] : {std::pair(SceneFileKind::obj, SceneFormat::obj), std::pair(SceneFileKind::ply, SceneFormat::ply)}) {
+  for (auto const& [kind, format] :
+       {std::pair(SceneFileKind::obj, SceneFormat::obj), std::pair(SceneFileKind::ply, SceneFormat::ply)}) {
     Scene const mesh = written_and_read(scene, kind, format);
     // Euler: 12 for the box; per cap 7 + 2 holes - 2 = 7, two for each of 7 walls
     CHECK(mesh.triangles.size() == 12 + 14 + 14);
@@ -149,7 +153,8 @@ TEST_CASE("writers: solids become closed meshes; what a format cannot hold is re
   ball.add(Ball{{0, 0, 0}, 1});
   Scene const b = ball.finish();
   std::ostringstream out;
-  for (auto const kind : {SceneFileKind::obj, SceneFileKind::ply, SceneFileKind::geojson}) CHECK_THROWS_AS(write_scene(out, b, kind), BadInput);
+  for (auto const kind : {SceneFileKind::obj, SceneFileKind::ply, SceneFileKind::geojson})
+    CHECK_THROWS_AS(write_scene(out, b, kind), BadInput);
 }
 
 TEST_CASE("writers: a file appears whole or not at all", "[readers]")

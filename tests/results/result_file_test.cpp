@@ -25,7 +25,8 @@ Result example()
   r.visible = {"a", "b \"quoted\"", "\xC3\xBC"};
   r.statistics = {{"rays", 12}, {"ratio", 0.1}};
   r.seconds = {1, 2, 0.25};
-  r.witnesses = {{"a", exact(Point3d{0.5, 0.1, 0.25}), Point3q{RationalNumber(1, 3), RationalNumber(-7), RationalNumber(2)}}};
+  r.witnesses = {
+    {"a", exact(Point3d{0.5, 0.1, 0.25}), Point3q{RationalNumber(1, 3), RationalNumber(-7), RationalNumber(2)}}};
   return r;
 }
 
@@ -49,6 +50,9 @@ TEST_CASE("result file: what is written is read back, exactly", "[results]")
   auto const& r = back.front();
   Result const e = example();
   REQUIRE(r.source == e.source);
+  REQUIRE(r.objects == e.objects);
+  REQUIRE(r.primitives == e.primitives);
+  REQUIRE(r.options == e.options);
   REQUIRE(*r.cell_box == *e.cell_box);
   REQUIRE(r.method == e.method);
   REQUIRE(r.guarantee == e.guarantee);
@@ -108,15 +112,16 @@ TEST_CASE("result file: truncated and damaged text never crashes", "[results][fu
   for (int trial = 0; trial < 20'000; ++trial) {
     std::string damaged = text;
     for (int k = random.between(1, 4); k > 0; --k)
-      damaged[static_cast<std::size_t>(random.below(static_cast<int>(damaged.size())))] = static_cast<char>(random.below(256));
+      damaged[static_cast<std::size_t>(random.below(static_cast<int>(damaged.size())))] =
+        static_cast<char>(random.below(256));
     (void)fault(damaged);  // any exception but BadInput ends the test
   }
 }
 
 TEST_CASE("result file: cells are boxes or hulls", "[results]")
 {
-  auto const cells = cells_from_json(
-    R"([{"min":[0,0,0],"max":[1,1,1]}, {"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}])", "cells.json");
+  auto const cells =
+    cells_from_json(R"([{"min":[0,0,0],"max":[1,1,1]}, {"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]}])", "cells.json");
   REQUIRE(cells.size() == 2);
   REQUIRE(cells[0].is_box());
   REQUIRE(cells[1].vertices().size() == 4);

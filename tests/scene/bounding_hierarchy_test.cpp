@@ -98,7 +98,8 @@ TEST_CASE("bounding hierarchy: front-to-back reaches every item once and drops w
     },
     [&](auto i) { ++visits[i]; });
   REQUIRE(std::ranges::all_of(visits, [](int n) { return n == 1; }));
-  hierarchy.front_to_back(region, [](auto, Box const&) { return false; }, [](auto) { FAIL("visited a dropped node"); });
+  hierarchy.front_to_back(
+    region, [](auto, Box const&) { return false; }, [](auto) { FAIL("visited a dropped node"); });
 }
 
 TEST_CASE("bounding hierarchy: identical and empty inputs are fine", "[scene][degenerate]")

@@ -16,7 +16,8 @@ void add_mesh(SceneBuilder& builder, ConvexPolyhedron const& p)
     auto const index = builder.add_vertex(p.vertices[i]);
     if (i == 0) first = index;
   }
-  for (auto const& f : p.facets) builder.add_triangle(first + f.vertices[0], first + f.vertices[1], first + f.vertices[2]);
+  for (auto const& f : p.facets)
+    builder.add_triangle(first + f.vertices[0], first + f.vertices[1], first + f.vertices[2]);
 }
 
 std::vector<Kind> kinds(Scene const& scene)

@@ -72,15 +72,15 @@ TEST_CASE("convex partition: what is not a polygon with holes is not taken for s
 {
   Ring const square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
   auto const pieces = [](std::vector<Ring> rings) { return convex_partition({std::move(rings), 0, 1}).size(); };
-  REQUIRE(pieces({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}) == 0);                          // crosses itself
-  REQUIRE(pieces({{{0, 0}, {2, 2}, {4, 4}, {4, 0}, {2, 2}, {0, 4}}}) == 0);          // two lobes of opposite turn
-  REQUIRE(pieces({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}) == 2);          // touches itself: fine
-  REQUIRE(pieces({{{0, 0}, {1, 1}, {2, 2}}}) == 0);                                  // no area
-  REQUIRE(pieces({square, {{1, 1}, {5, 1}, {5, 2}, {1, 2}}}) == 0);                  // hole crosses the ring
-  REQUIRE(pieces({square, {{5, 5}, {6, 5}, {6, 6}, {5, 6}}}) == 0);                  // hole outside
-  REQUIRE(pieces({square, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}}) == 0);                  // hole shares a stretch of wall
-  REQUIRE(pieces({square, square}) == 0);                                            // hole is everything
+  REQUIRE(pieces({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}}) == 0);                  // crosses itself
+  REQUIRE(pieces({{{0, 0}, {2, 2}, {4, 4}, {4, 0}, {2, 2}, {0, 4}}}) == 0);  // two lobes of opposite turn
+  REQUIRE(pieces({{{0, 0}, {2, 2}, {4, 0}, {4, 4}, {2, 2}, {0, 4}}}) == 2);  // touches itself: fine
+  REQUIRE(pieces({{{0, 0}, {1, 1}, {2, 2}}}) == 0);                          // no area
+  REQUIRE(pieces({square, {{1, 1}, {5, 1}, {5, 2}, {1, 2}}}) == 0);          // hole crosses the ring
+  REQUIRE(pieces({square, {{5, 5}, {6, 5}, {6, 6}, {5, 6}}}) == 0);          // hole outside
+  REQUIRE(pieces({square, {{0, 1}, {1, 1}, {1, 2}, {0, 2}}}) == 0);          // hole shares a stretch of wall
+  REQUIRE(pieces({square, square}) == 0);                                    // hole is everything
   REQUIRE(pieces({square, {{1, 1}, {3, 1}, {3, 3}, {1, 3}}, {{2, 2}, {2.5, 2}, {2.5, 2.5}, {2, 2.5}}}) == 0);
-  REQUIRE(pieces({square, {{0, 0}, {1, 1}, {1, 2}}}) > 0);                           // hole touches in a point: fine
+  REQUIRE(pieces({square, {{0, 0}, {1, 1}, {1, 2}}}) > 0);  // hole touches in a point: fine
   REQUIRE(convex_partition({{square}, 1, 1}).empty());
 }

@@ -75,7 +75,8 @@ TEST_CASE("scene report: degenerate triangles and repeated faces are counted exa
 {
   SceneBuilder builder("test");
   builder.begin_object("mesh");
-  for (auto const& p : {Point3d{0, 0, 0}, Point3d{0.1, 0.1, 0.1}, Point3d{0.2, 0.2, 0.2}, Point3d{1, 0, 0}, Point3d{1, 0, 0}})
+  for (auto const& p :
+       {Point3d{0, 0, 0}, Point3d{0.1, 0.1, 0.1}, Point3d{0.2, 0.2, 0.2}, Point3d{1, 0, 0}, Point3d{1, 0, 0}})
     builder.add_vertex(p);
   builder.add_triangle(0, 1, 2);  // on one line, exactly: 0.2 = 2 * 0.1
   builder.add_triangle(0, 1, 3);

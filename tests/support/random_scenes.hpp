@@ -56,23 +56,22 @@ inline Scene grid_scene(Random& random, int objects, int lo, int hi, Mix mix, Bo
     builder.begin_object("object " + std::to_string(i));
     Box const b = box();
     switch (mix == Mix::boxes ? 0 : random.below(5)) {
-      case 0: builder.add(b); break;
-      case 1: builder.add(Ball{random.grid_point(lo, hi), double(random.between(0, 2))}); break;
-      case 2: {
-        double const x = (b.min.x + b.max.x) / 2, y = (b.min.y + b.max.y) / 2;
-        builder.add(Prism{{{{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {x, y}, {b.min.x, b.max.y}}},
-                          b.min.z,
-                          b.max.z});
-        break;
-      }
-      case 3: builder.add(grid_polyhedron(random, lo, hi)); break;
-      case 4: {
-        auto const first = builder.add_vertex(random.grid_point(lo, hi));
-        builder.add_vertex(random.grid_point(lo, hi));
-        builder.add_vertex(random.grid_point(lo, hi));
-        builder.add_triangle(first, first + 1, first + 2);
-        break;
-      }
+    case 0: builder.add(b); break;
+    case 1: builder.add(Ball{random.grid_point(lo, hi), double(random.between(0, 2))}); break;
+    case 2: {
+      double const x = (b.min.x + b.max.x) / 2, y = (b.min.y + b.max.y) / 2;
+      builder.add(Prism{
+        {{{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {x, y}, {b.min.x, b.max.y}}}, b.min.z, b.max.z});
+      break;
+    }
+    case 3: builder.add(grid_polyhedron(random, lo, hi)); break;
+    case 4: {
+      auto const first = builder.add_vertex(random.grid_point(lo, hi));
+      builder.add_vertex(random.grid_point(lo, hi));
+      builder.add_vertex(random.grid_point(lo, hi));
+      builder.add_triangle(first, first + 1, first + 2);
+      break;
+    }
     }
   }
   return builder.finish();

@@ -69,7 +69,8 @@ inline bool meets(ConvexPolyhedron const& body, Point3d const& p, Point3d const&
 {
   Clip clip(p, q);
   for (auto const& f : body.facets) {
-    Vec const a = vec(body.vertices[f.vertices[0]]), b = vec(body.vertices[f.vertices[1]]), c = vec(body.vertices[f.vertices[2]]);
+    Vec const a = vec(body.vertices[f.vertices[0]]), b = vec(body.vertices[f.vertices[1]]),
+              c = vec(body.vertices[f.vertices[2]]);
     clip.below(cross(minus(b, a), minus(c, a)), a);
   }
   return clip.some(end);

@@ -31,8 +31,8 @@ struct CheckReport {
 };
 
 /// Hunts for visible objects that the set lacks, with guided rays; each find is proved by an exact witness before it is
-/// reported, unless it meets the closed cell. Finding nothing proves nothing. Returns at once if nothing is left to find.
-/// Throws std::invalid_argument if `visible` names an object that the scene does not have.
+/// reported, unless it meets the closed cell. Finding nothing proves nothing. Returns at once if nothing is left to
+/// find. Throws std::invalid_argument if `visible` names an object that the scene does not have.
 CheckReport check(RayScene const& rays, ViewCell const& cell, std::span<std::uint32_t const> visible, Guarantee claimed,
                   CheckOptions const& options = {});
 CheckReport check(PreparedScene const& scene, ViewCell const& cell, std::span<std::uint32_t const> visible,

@@ -24,7 +24,7 @@ public:
     if (a.below_ > b.above_) return std::strong_ordering::greater;
     if (a.exact_ == b.exact_ && a.below_ == b.below_ && a.above_ == b.above_) return std::strong_ordering::equal;
     auto const s = CGAL::compare(a.rational(), b.rational());
-    return s == CGAL::SMALLER ? std::strong_ordering::less
+    return s == CGAL::SMALLER  ? std::strong_ordering::less
            : s == CGAL::LARGER ? std::strong_ordering::greater
                                : std::strong_ordering::equal;
   }

@@ -27,8 +27,8 @@ struct FacePoint {
   Point3q point() const { return exact ? *exact : visibility::exact(rounded); }
 };
 
-/// A point of the relative interior of the face, near `wanted` (nearer than 2^-16 of the face's size if `wanted` lies on
-/// the face). Empty if the face has no relative interior, or none with points that are cheap to name.
+/// A point of the relative interior of the face, near `wanted` (nearer than 2^-16 of the face's size if `wanted` lies
+/// on the face). Empty if the face has no relative interior, or none with points that are cheap to name.
 std::optional<FacePoint> point_inside(PreparedScene const& scene, Face const& face, Point3d const& wanted);
 
 /// Some point in the middle of the face, rounded; for a sphere the point towards `from`.

@@ -12,14 +12,12 @@ class ProbeMargin {
 public:
   ProbeMargin() = default;  ///< none: the probe's ends are exact
   /// Room for ends whose coordinates were rounded, in any direction, by at most one unit in the last place.
-  ProbeMargin(Point3d const& p, Point3d const& q)
-    : x_(margin(p.x, q.x)), y_(margin(p.y, q.y)), z_(margin(p.z, q.z))
-  {
-  }
+  ProbeMargin(Point3d const& p, Point3d const& q) : x_(margin(p.x, q.x)), y_(margin(p.y, q.y)), z_(margin(p.z, q.z)) {}
   Box enlarge(Box const& b) const
   {
     if (x_ == 0) return b;
-    return {{down(b.min.x, x_), down(b.min.y, y_), down(b.min.z, z_)}, {up(b.max.x, x_), up(b.max.y, y_), up(b.max.z, z_)}};
+    return {{down(b.min.x, x_), down(b.min.y, y_), down(b.min.z, z_)},
+            {up(b.max.x, x_), up(b.max.y, y_), up(b.max.z, z_)}};
   }
 
 private:

@@ -46,8 +46,8 @@ private:
 /// Whether the closed boxes share a point.
 inline bool meet(Box const& a, Box const& b)
 {
-  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y &&
-         a.min.z <= b.max.z && b.min.z <= a.max.z;
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+         b.min.z <= a.max.z;
 }
 
 inline bool contains(Box const& box, Point3d const& p)

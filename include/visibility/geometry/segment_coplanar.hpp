@@ -65,8 +65,8 @@ bool segments_meet(Point3<NT> const& p, Point3<NT> const& q, Point3<NT> const& u
 
 /// p, q, a, b, c coplanar, in any position. Requires: p != q.
 template <Arithmetic A, End end, class NT>
-bool coplanar_segment_meets_triangle(Point3<NT> const& a, Point3<NT> const& b, Point3<NT> const& c,
-                                     Point3<NT> const& p, Point3<NT> const& q)
+bool coplanar_segment_meets_triangle(Point3<NT> const& a, Point3<NT> const& b, Point3<NT> const& c, Point3<NT> const& p,
+                                     Point3<NT> const& q)
 {
   int const axis = projection_axis<A>(a, b, c);
   if (axis < 0) {

@@ -51,16 +51,26 @@ struct Double {
 namespace detail {
 struct DifferenceFormula {
   template <class T>
-  auto operator()(T const& a, T const& b) const { return a - b; }
+  auto operator()(T const& a, T const& b) const
+  {
+    return a - b;
+  }
 };
 }  // namespace detail
 
 /// What every algorithm of the library is a template over.
 template <class A>
-concept Arithmetic = requires(double x) {
-  { A::sign(detail::DifferenceFormula{}, x, x) } -> std::same_as<Sign>;
-  { A::name } -> std::convertible_to<std::string_view>;
-  { A::is_exact } -> std::convertible_to<bool>;
+concept Arithmetic = requires(double x)
+{
+  {
+    A::sign(detail::DifferenceFormula{}, x, x)
+    } -> std::same_as<Sign>;
+  {
+    A::name
+    } -> std::convertible_to<std::string_view>;
+  {
+    A::is_exact
+    } -> std::convertible_to<bool>;
 };
 static_assert(Arithmetic<Filtered> && Arithmetic<TalliedFiltered> && Arithmetic<Rational> && Arithmetic<Double>);
 static_assert(!Arithmetic<int>);

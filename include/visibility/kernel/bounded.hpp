@@ -17,12 +17,13 @@
 /// Proof: proofs/filters.md (Theorem 1); tests/proofs/bounds_test.cpp recomputes the constants.
 namespace visibility::bounded {
 
-static_assert(FLT_EVAL_METHOD == 0, "double arithmetic must round to double: on x86-32 compile with -msse2 -mfpmath=sse");
+static_assert(FLT_EVAL_METHOD == 0,
+              "double arithmetic must round to double: on x86-32 compile with -msse2 -mfpmath=sse");
 #ifdef __FAST_MATH__
 #error "the error bounds do not hold under -ffast-math"
 #endif
 
-inline constexpr double u = 0x1p-53;             ///< unit roundoff, round to nearest
+inline constexpr double u = 0x1p-53;                 ///< unit roundoff, round to nearest
 inline constexpr double underflow_guard = 0x1p-960;  ///< swallows the absolute error of underflowing products
 
 /// An input (K = 0) or a sum or difference of two inputs (K = 1, never an underflow error): m = |v|.
@@ -51,8 +52,11 @@ struct Sum {
 };
 
 template <class T>
-concept Number = requires(T const& x) {
-  { T::roundings } -> std::convertible_to<int>;
+concept Number = requires(T const& x)
+{
+  {
+    T::roundings
+    } -> std::convertible_to<int>;
   x.v;
   x.magnitude();
 };

@@ -16,8 +16,11 @@ inline constexpr int max_degree = 6;
 
 /// A formula that knows input on which it vanishes whatever the numbers are (two equal points), and says so.
 template <class Formula, class... X>
-concept KnowsZeros = requires(X... x) {
-  { Formula::vanishes(x...) } -> std::same_as<bool>;
+concept KnowsZeros = requires(X... x)
+{
+  {
+    Formula::vanishes(x...)
+    } -> std::same_as<bool>;
 };
 
 /// Error bound proved by type (kernel/bounded.hpp), then zeros that need no arithmetic: those that the formula knows,

@@ -18,7 +18,8 @@ using ExactNumber = CGAL::Mpzf;
 using ExactNumber = CGAL::Gmpq;
 #endif
 
-/// Number type of the interval layer; arithmetic on it needs rounding towards plus infinity (CGAL::Protect_FPU_rounding).
+/// Number type of the interval layer; arithmetic on it needs rounding towards plus infinity
+/// (CGAL::Protect_FPU_rounding).
 using IntervalNumber = CGAL::Interval_nt_advanced;
 
 }  // namespace visibility

@@ -23,7 +23,7 @@ struct Point3 {
   friend bool operator==(Point3 const&, Point3 const&) = default;
 };
 
-using Point2d = Point2<double>;        ///< input point: the doubles are exact
+using Point2d = Point2<double>;  ///< input point: the doubles are exact
 using Point3d = Point3<double>;
 using Point2q = Point2<RationalNumber>;  ///< constructed point, in lowest terms
 using Point3q = Point3<RationalNumber>;
@@ -36,10 +36,7 @@ constexpr Point2<NT> horizontal(Point3<NT> const& p)
 }
 
 /// The double as the rational it is. Requires: finite.
-inline Point3q exact(Point3d const& p)
-{
-  return {RationalNumber(p.x), RationalNumber(p.y), RationalNumber(p.z)};
-}
+inline Point3q exact(Point3d const& p) { return {RationalNumber(p.x), RationalNumber(p.y), RationalNumber(p.z)}; }
 inline Point3q const& exact(Point3q const& p) { return p; }
 
 inline bool is_finite(Point2d const& p) { return std::isfinite(p.x) && std::isfinite(p.y); }

@@ -20,14 +20,14 @@ struct NoTally {
 
 /// Tally policy that counts per thread: `ThreadTally::counts` is the calling thread's own.
 struct ThreadTally {
-  static inline thread_local LayerCounts counts{};
+  inline static thread_local LayerCounts counts{};
   static void reset() { counts = {}; }
   static void count(Layer layer)
   {
     switch (layer) {
-      case Layer::filter: ++counts.filter; break;
-      case Layer::interval: ++counts.interval; break;
-      case Layer::exact: ++counts.exact; break;
+    case Layer::filter: ++counts.filter; break;
+    case Layer::interval: ++counts.interval; break;
+    case Layer::exact: ++counts.exact; break;
     }
   }
 };

@@ -17,8 +17,8 @@ struct Orient3dFormula {
     return (bx * ay - by * ax) * cz + (by * cx - bx * cy) * az + (ax * cy - ay * cx) * bz;
   }
   /// Two equal points (with s they show as zero differences): lines that share a vertex.
-  static bool vanishes(double px, double py, double pz, double qx, double qy, double qz, double rx, double ry, double rz,
-                       double, double, double)
+  static bool vanishes(double px, double py, double pz, double qx, double qy, double qz, double rx, double ry,
+                       double rz, double, double, double)
   {
     return (px == qx && py == qy && pz == qz) || (px == rx && py == ry && pz == rz) ||
            (qx == rx && qy == ry && qz == rz);

@@ -26,9 +26,9 @@ public:
   /// O(n log n), binned surface-area heuristic [Wald 2007]. Items are named by their position in `boxes`.
   explicit BoundingHierarchy(std::span<Box const> boxes);
 
-  std::span<Node const> nodes() const { return nodes_; }          ///< nodes()[0] is the root; empty for no items
+  std::span<Node const> nodes() const { return nodes_; }           ///< nodes()[0] is the root; empty for no items
   std::span<std::uint32_t const> items() const { return items_; }  ///< permutation of the items, leaves contiguous
-  void validate(std::span<Box const> boxes) const;                 ///< throws std::logic_error naming the broken invariant
+  void validate(std::span<Box const> boxes) const;  ///< throws std::logic_error naming the broken invariant
 
   /// Calls visit(item) for every item in a node that the segment may meet, in no order, until visit returns true.
   /// Returns whether it did.

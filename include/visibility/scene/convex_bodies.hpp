@@ -30,9 +30,9 @@ public:
   explicit ConvexBodies(Scene const& scene);
 
   Scene const& scene() const { return *scene_; }
-  std::span<Body const> bodies() const { return bodies_; }                 ///< in object order
+  std::span<Body const> bodies() const { return bodies_; }  ///< in object order
   std::span<Body const> bodies_of(std::uint32_t object) const;
-  std::span<Box const> bounds() const { return bounds_; }                  ///< one per body, outward
+  std::span<Box const> bounds() const { return bounds_; }  ///< one per body, outward
   std::span<Box const> bounds_of(std::uint32_t object) const;
   std::size_t invalid_footprints() const { return invalid_footprints_; }  ///< occludees only
 
@@ -68,11 +68,11 @@ bool segment_meets(ConvexBodies const& scene, ConvexBodies::Body const& body, Po
 {
   using Kind = ConvexBodies::Kind;
   switch (body.kind) {
-    case Kind::box: return segment_meets<A, end>(scene.box(body), p, q);
-    case Kind::ball: return segment_meets<A, end>(scene.ball(body), p, q);
-    case Kind::prism: return segment_meets<A, end>(scene.prism(body), p, q);
-    case Kind::polyhedron: return segment_meets<A, end>(scene.polyhedron(body), p, q);
-    case Kind::triangle: return segment_meets<A, end>(scene.triangle(body), p, q);
+  case Kind::box: return segment_meets<A, end>(scene.box(body), p, q);
+  case Kind::ball: return segment_meets<A, end>(scene.ball(body), p, q);
+  case Kind::prism: return segment_meets<A, end>(scene.prism(body), p, q);
+  case Kind::polyhedron: return segment_meets<A, end>(scene.polyhedron(body), p, q);
+  case Kind::triangle: return segment_meets<A, end>(scene.triangle(body), p, q);
   }
   return false;
 }

@@ -67,19 +67,19 @@ bool any_face_towards(ViewCell const& cell, ConvexBodies const& scene, ConvexBod
 {
   using Kind = ConvexBodies::Kind;
   switch (body.kind) {
-    case Kind::box:
-      if (body.occludes) return detail::any_box_face(cell, scene.box(body), visit);
-      break;
-    case Kind::prism: return detail::any_prism_face(cell, scene.prism(body), visit);
-    case Kind::polyhedron: {
-      auto const& p = scene.polyhedron(body);
-      return std::ranges::any_of(p.facets, [&](ConvexPolyhedron::Facet const& f) {
-        std::array<Point3d, 3> const t{p.vertices[f.vertices[0]], p.vertices[f.vertices[1]], p.vertices[f.vertices[2]]};
-        return !detail::faces_away(cell, t[0], t[1], t[2]) && visit(std::span<Point3d const>(t));
-      });
-    }
-    case Kind::ball:
-    case Kind::triangle: break;
+  case Kind::box:
+    if (body.occludes) return detail::any_box_face(cell, scene.box(body), visit);
+    break;
+  case Kind::prism: return detail::any_prism_face(cell, scene.prism(body), visit);
+  case Kind::polyhedron: {
+    auto const& p = scene.polyhedron(body);
+    return std::ranges::any_of(p.facets, [&](ConvexPolyhedron::Facet const& f) {
+      std::array<Point3d, 3> const t{p.vertices[f.vertices[0]], p.vertices[f.vertices[1]], p.vertices[f.vertices[2]]};
+      return !detail::faces_away(cell, t[0], t[1], t[2]) && visit(std::span<Point3d const>(t));
+    });
+  }
+  case Kind::ball:
+  case Kind::triangle: break;
   }
   std::vector<Point3d> vertices;
   scene.append_vertices(body, vertices);

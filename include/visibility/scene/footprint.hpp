@@ -6,8 +6,8 @@
 
 namespace visibility {
 
-/// Vertical prism over a polygon with holes: the walls are the ring edges, floor and roof the polygon at bottom and top.
-/// Rings are open (the first point is not repeated), of any orientation; rings[0] is the outer one.
+/// Vertical prism over a polygon with holes: the walls are the ring edges, floor and roof the polygon at bottom and
+/// top. Rings are open (the first point is not repeated), of any orientation; rings[0] is the outer one.
 struct Prism {
   std::vector<std::vector<Point2d>> rings;
   double bottom = 0, top = 0;

@@ -14,8 +14,8 @@ struct GeneratorParameter {
   enum class Type { integer, number };
   std::string name;
   Type type;
-  double value;     ///< the default
-  double min, max;  ///< closed range of valid values; integers lie within +-2^53, where every one is a double
+  double value;      ///< the default
+  double min, max;   ///< closed range of valid values; integers lie within +-2^53, where every one is a double
   std::string help;  ///< one line, with units
 };
 

@@ -17,7 +17,7 @@ public:
 
   Scene const& scene() const { return bodies_.scene(); }
   ConvexBodies const& bodies() const { return bodies_; }
-  std::span<Box const> object_bounds() const { return object_bounds_; }  ///< outward, one per object
+  std::span<Box const> object_bounds() const { return object_bounds_; }            ///< outward, one per object
   BoundingHierarchy const& body_hierarchy() const { return body_hierarchy_; }      ///< items: positions in bodies()
   BoundingHierarchy const& object_hierarchy() const { return object_hierarchy_; }  ///< items: positions in objects
 
@@ -25,8 +25,7 @@ private:
   static std::vector<Box> bounds_of_objects(ConvexBodies const& bodies)
   {
     std::vector<Box> out(bodies.scene().objects.size());
-    for (std::size_t i = 0; i < bodies.bodies().size(); ++i)
-      out[bodies.bodies()[i].object].extend(bodies.bounds()[i]);
+    for (std::size_t i = 0; i < bodies.bodies().size(); ++i) out[bodies.bodies()[i].object].extend(bodies.bounds()[i]);
     return out;
   }
 

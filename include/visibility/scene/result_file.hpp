@@ -24,17 +24,17 @@ struct Result {
   struct Seconds {
     double read = 0, build = 0, query = 0;
   };
-  std::string source;                          ///< the scene as the user named it
-  std::size_t objects = 0, primitives = 0;     ///< of the scene
-  std::vector<Point3d> cell;                   ///< vertices; of a box its eight corners
-  std::optional<Box> cell_box;                 ///< set iff the cell was given as a box
+  std::string source;                       ///< the scene as the user named it
+  std::size_t objects = 0, primitives = 0;  ///< of the scene
+  std::vector<Point3d> cell;                ///< vertices; of a box its eight corners
+  std::optional<Box> cell_box;              ///< set iff the cell was given as a box
   std::string method, arithmetic;
   std::map<std::string, std::string> options;  ///< as text; numbers are written as JSON numbers
   Guarantee guarantee = Guarantee::none;
-  std::vector<std::string> visible;            ///< sorted, unique
+  std::vector<std::string> visible;  ///< sorted, unique
   std::map<std::string, double> statistics;
   Seconds seconds;
-  std::vector<NamedWitness> witnesses;         ///< sorted by object
+  std::vector<NamedWitness> witnesses;  ///< sorted by object
 };
 
 /// The cell of a result. Throws BadInput if it is missing or has no interior.

@@ -11,8 +11,9 @@ namespace visibility {
 class SegmentProbe {
 public:
   SegmentProbe(Point3d const& p, Point3d const& q)
-    : middle_{0.5 * p.x + 0.5 * q.x, 0.5 * p.y + 0.5 * q.y, 0.5 * p.z + 0.5 * q.z},
-      half_{0.5 * q.x - 0.5 * p.x, 0.5 * q.y - 0.5 * p.y, 0.5 * q.z - 0.5 * p.z}
+    : middle_{0.5 * p.x + 0.5 * q.x, 0.5 * p.y + 0.5 * q.y, 0.5 * p.z + 0.5 * q.z}, half_{0.5 * q.x - 0.5 * p.x,
+                                                                                          0.5 * q.y - 0.5 * p.y,
+                                                                                          0.5 * q.z - 0.5 * p.z}
   {
     bounds_.extend(p);
     bounds_.extend(q);
@@ -44,8 +45,10 @@ private:
     constexpr double slack = 64 * 0x1p-53;
     double const distance = std::fabs(mx * hy - my * hx);
     double const extent = ex * std::fabs(hy) + ey * std::fabs(hx);
-    return distance > extent + slack * (rx * (std::fabs(hy) + std::fabs(my) + ey) + ry * (std::fabs(hx) + std::fabs(mx) + ex) +
-                                        slack * rx * ry) + 0x1p-960;
+    return distance > extent +
+                        slack * (rx * (std::fabs(hy) + std::fabs(my) + ey) + ry * (std::fabs(hx) + std::fabs(mx) + ex) +
+                                 slack * rx * ry) +
+                        0x1p-960;
   }
 
   Point3d middle_, half_;

@@ -8,11 +8,11 @@
 namespace visibility {
 
 enum class SceneFileKind {
-  native,          ///< visibility-scene/1 JSON: every kind of primitive, read back bit for bit
-  obj,             ///< triangles, and the faces of boxes, prisms and polyhedra as polygons; no balls
-  ply,             ///< the same in binary; objects by the `object` property of a face, names are lost
-  geojson,         ///< prisms and boxes as footprints with height
-  geojson_lines,   ///< the same, one feature a line
+  native,         ///< visibility-scene/1 JSON: every kind of primitive, read back bit for bit
+  obj,            ///< triangles, and the faces of boxes, prisms and polyhedra as polygons; no balls
+  ply,            ///< the same in binary; objects by the `object` property of a face, names are lost
+  geojson,        ///< prisms and boxes as footprints with height
+  geojson_lines,  ///< the same, one feature a line
 };
 
 /// The kind that the extension names: .json, .obj, .ply, .geojson, .geojsonl. Throws BadInput for others.
