@@ -1,5 +1,6 @@
 #include "commands.hpp"
 #include "count_option.hpp"
+#include "progress.hpp"
 #include "scene_argument.hpp"
 
 #include "visibility/evidence/check.hpp"
@@ -64,7 +65,12 @@ void run(Arguments const& a, int& exit_code)
     auto const members = objects_of(r, scene);
     std::cout << "set     " << members.size() << " of " << scene.objects.size() << " objects, "
               << (r.method.empty() ? "unnamed method" : r.method) << ", " << to_string(r.guarantee) << '\n';
-    auto const report = check(rays, cell_of(r), members, r.guarantee, a.options);
+    auto const report = [&] {
+      Progress progress("rays", a.options.rays);
+      CheckOptions options = a.options;
+      options.progress = [&](std::uint64_t n) { progress.advance(n); };
+      return check(rays, cell_of(r), members, r.guarantee, options);
+    }();
     print_report(scene, report, a.all ? SIZE_MAX : 10);
     if (report.fault) {
       exit_code = 1;

@@ -70,13 +70,23 @@ MethodRunner::MethodRunner(MethodArguments arguments, PreparedScene const& scene
   if (arguments_.method == "sampling") rays_.emplace(scene);
 }
 
-PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell) const
+PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
+                                               std::function<void(std::uint64_t)> const& progress) const
 {
   if (rays_)
-    return Sampling({.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed})(*rays_, cell);
-  if (arguments_.arithmetic == "rational") return run_strong_occlusion<Rational>(arguments_, scene_, cell);
-  if (arguments_.arithmetic == "double") return run_strong_occlusion<Double>(arguments_, scene_, cell);
-  return run_strong_occlusion<Filtered>(arguments_, scene_, cell);
+    return Sampling(
+      {.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed, .progress = progress})(*rays_,
+                                                                                                               cell);
+  auto const run = [&] {
+    if (arguments_.arithmetic == "rational") return run_strong_occlusion<Rational>(arguments_, scene_, cell);
+    if (arguments_.arithmetic == "double") return run_strong_occlusion<Double>(arguments_, scene_, cell);
+    return run_strong_occlusion<Filtered>(arguments_, scene_, cell);
+  };
+  auto set = run();
+  progress(1);
+  return set;
 }
+
+std::uint64_t MethodRunner::steps_per_cell() const { return rays_ ? arguments_.rays : 1; }
 
 }  // namespace visibility::commands

@@ -6,6 +6,7 @@
 #include "visibility/scene/view_cell.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -40,7 +41,9 @@ class MethodRunner {
 public:
   /// Requires: validated arguments; keeps a reference to the scene. Builds what the method shares between cells.
   MethodRunner(MethodArguments arguments, PreparedScene const& scene);
-  PotentiallyVisibleSet operator()(ViewCell const& cell) const;
+  /// `progress` is told of steps done, `steps_per_cell` of them for each cell (fewer if a time limit ends the run).
+  PotentiallyVisibleSet operator()(ViewCell const& cell, std::function<void(std::uint64_t)> const& progress) const;
+  std::uint64_t steps_per_cell() const;
 
 private:
   MethodArguments arguments_;

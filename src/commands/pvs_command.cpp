@@ -92,15 +92,14 @@ void run(Arguments const& a)
   std::vector<Result> results(cells.size());
   std::vector<std::string> maps(a.map ? cells.size() : 0);
   {
-    Progress progress("cells", cells.size());
+    Progress progress(method.steps_per_cell() > 1 ? "rays" : "cells", cells.size() * method.steps_per_cell());
     oneapi::tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
       auto const query_start = std::chrono::steady_clock::now();
-      auto const set = method(cells[i]);
+      auto const set = method(cells[i], [&](std::uint64_t n) { progress.advance(n); });
       double const query = seconds_since(query_start);
       results[i] = make_result(a, prepared, cells[i], set);
       results[i].seconds = {read, build, query};
       if (a.map) maps[i] = plan_map(prepared, cells[i], set);
-      progress.advance();
     });
   }
   if (a.output.empty()) {

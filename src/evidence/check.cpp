@@ -24,7 +24,8 @@ CheckReport check(RayScene const& rays, ViewCell const& cell, std::span<std::uin
     throw std::invalid_argument("the set names object " + std::to_string(members.back()) + ", but the scene has " +
                                 std::to_string(objects));
 
-  auto found = detail::hunt(rays, cell, members, {options.rays, options.seconds, options.seed, options.threads});
+  auto found =
+    detail::hunt(rays, cell, members, {options.rays, options.seconds, options.seed, options.threads, options.progress});
   CheckReport report;
   report.missing = std::move(found.found);
   report.witnesses = std::move(found.witnesses);

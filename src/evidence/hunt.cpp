@@ -62,7 +62,9 @@ public:
     for (std::uint64_t round = 0; left_ > 0 && report_.rays < limits_.rays; ++round) {
       if (limits_.seconds > 0 && elapsed() >= limits_.seconds) break;
       auto const n = static_cast<std::size_t>(std::min<std::uint64_t>(size, limits_.rays - report_.rays));
+      std::uint64_t const before = report_.rays;
       play(round, n);
+      if (limits_.progress) limits_.progress(report_.rays - before);
       size = std::min(largest_round, size + size / 2);
     }
     finish();

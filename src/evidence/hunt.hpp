@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct HuntLimits {
   double seconds;  ///< 0: no limit
   std::uint64_t seed;
   int threads;  ///< 0: all
+  std::function<void(std::uint64_t)> progress{};  ///< told after each round how many rays it cast
 };
 
 struct HuntReport {

@@ -11,7 +11,8 @@ PotentiallyVisibleSet Sampling::operator()(PreparedScene const& scene, ViewCell 
 
 PotentiallyVisibleSet Sampling::operator()(RayScene const& rays, ViewCell const& cell) const
 {
-  auto report = detail::hunt(rays, cell, {}, {options_.rays, options_.seconds, options_.seed, options_.threads});
+  auto report =
+    detail::hunt(rays, cell, {}, {options_.rays, options_.seconds, options_.seed, options_.threads, options_.progress});
   PotentiallyVisibleSet result;
   result.guarantee = Guarantee::aggressive;
   result.visible = std::move(report.found);

@@ -5,6 +5,7 @@
 #include "visibility/scene/view_cell.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct CheckOptions {
   double seconds = 0;  ///< wall-clock limit; 0: none
   std::uint64_t seed = 1;
   int threads = 0;  ///< 0: all. Without a time limit the report does not depend on it
+  std::function<void(std::uint64_t rays)> progress{};  ///< told how many rays have been cast since it was last told
 };
 
 struct CheckReport {
