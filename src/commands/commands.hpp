@@ -4,7 +4,7 @@ namespace CLI {
 class App;
 }
 
-/// Each function adds one subcommand to the command line (design, 6). The work is done in its callback; faults are
+/// Each function adds one subcommand to the command line. The work is done in its callback; faults are
 /// thrown as BadInput, and the callback sets `exit_code` to 1 where a check found a fault.
 namespace visibility::commands {
 

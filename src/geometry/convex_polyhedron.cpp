@@ -1,5 +1,6 @@
 #include "visibility/geometry/convex_polyhedron.hpp"
 
+#include "visibility/geometry/segment_coplanar.hpp"
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/predicates/orient3d.hpp"
 
@@ -41,6 +42,18 @@ std::string broken_invariant(ConvexPolyhedron const& p)
   return {};
 }
 
+bool lie_in_one_plane(std::span<Point3d const> points)
+{
+  if (points.empty()) return true;
+  auto const& a = points.front();
+  auto const b = std::ranges::find_if(points, [&](Point3d const& p) { return p != a; });
+  if (b == points.end()) return true;
+  auto const c =
+    std::ranges::find_if(points, [&](Point3d const& p) { return detail::projection_axis<Filtered>(a, *b, p) >= 0; });
+  if (c == points.end()) return true;
+  return std::ranges::all_of(points, [&](Point3d const& p) { return is_zero(orient3d<Filtered>(a, *b, *c, p)); });
+}
+
 }  // namespace
 
 ConvexPolyhedron ConvexPolyhedron::from_facets(std::vector<Point3d> vertices,
@@ -73,15 +86,7 @@ ConvexPolyhedron ConvexPolyhedron::hull(std::span<Point3d const> points)
     if (!is_finite(p)) throw std::invalid_argument("a coordinate is not finite");
     input.emplace_back(p.x, p.y, p.z);
   }
-  auto const first = std::ranges::find_if(points, [&](Point3d const& p) { return p != points.front(); });
-  auto const flat = [&] {
-    if (first == points.end()) return true;
-    for (auto const& b : points)
-      for (auto const& c : points)
-        if (!is_zero(orient3d<Filtered>(points.front(), *first, b, c))) return false;
-    return true;
-  };
-  if (flat()) throw std::invalid_argument("the points lie in one plane");
+  if (lie_in_one_plane(points)) throw std::invalid_argument("the points lie in one plane");
   CGAL::Polyhedron_3<Kernel> hull;
   CGAL::convex_hull_3(input.begin(), input.end(), hull);
   std::vector<Point3d> vertices;

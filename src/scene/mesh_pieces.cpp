@@ -80,9 +80,13 @@ std::vector<Index> components(std::vector<Triple> const& facets)
   return parent;
 }
 
+/// Larger components stay loose: proving one convex takes facets x vertices tests, and every sight line as many.
+constexpr std::size_t most_facets = 5'000;
+
 /// The facets as a convex polyhedron, turned outward; empty if they do not bound one.
 std::vector<ConvexPolyhedron> as_convex(std::vector<Point3d> const& all, std::span<Triple const> facets)
 {
+  if (facets.size() > most_facets) return {};
   std::vector<Index> used;
   for (auto const& f : facets) used.insert(used.end(), f.begin(), f.end());
   std::ranges::sort(used);
