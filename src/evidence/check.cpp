@@ -19,7 +19,7 @@ CheckReport check(RayScene const& rays, ViewCell const& cell, std::span<std::uin
   std::size_t const objects = rays.scene().scene().objects.size();
   std::vector<std::uint32_t> members(visible.begin(), visible.end());
   std::ranges::sort(members);
-  members.erase(std::ranges::unique(members).begin(), members.end());
+  members.erase(std::unique(members.begin(), members.end()), members.end());
   if (!members.empty() && members.back() >= objects)
     throw std::invalid_argument("the set names object " + std::to_string(members.back()) + ", but the scene has " +
                                 std::to_string(objects));

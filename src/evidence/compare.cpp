@@ -21,7 +21,7 @@ Comparison compare(std::span<std::string const> a, std::span<std::string const> 
   auto const as_set = [](std::span<std::string const> names) {
     std::vector<std::string> set(names.begin(), names.end());
     std::ranges::sort(set);
-    set.erase(std::ranges::unique(set).begin(), set.end());
+    set.erase(std::unique(set.begin(), set.end()), set.end());
     return set;
   };
   auto const left = as_set(a), right = as_set(b);

@@ -18,7 +18,7 @@ constexpr std::string_view building_types[] = {"Building", "BuildingPart", "Buil
 class CityJsonReader {
 public:
   CityJsonReader(JsonValue const& first, std::string const& source)
-    : source_(source), first_(first), builder_(source), surfaces_(builder_, source_)
+    : source_(source), builder_(source), surfaces_(builder_, source_)
   {
     auto const version = first.text("version");
     if (!version.starts_with("1.") && !version.starts_with("2."))
@@ -88,7 +88,6 @@ private:
   }
 
   std::string source_;
-  JsonValue const& first_;
   JsonValue const* transform_ = nullptr;
   CityJsonTemplates templates_;
   SceneBuilder builder_;

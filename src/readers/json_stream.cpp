@@ -34,7 +34,6 @@ struct Cursor {
     return before;
   }
   friend bool operator==(Cursor const& a, Cursor const& b) { return a.at == b.at; }
-  friend bool operator!=(Cursor const& a, Cursor const& b) { return a.at != b.at; }
 };
 
 /// Builds a JsonValue from the events of nlohmann's parser, which is iterative: depth costs it no stack. Ours is
