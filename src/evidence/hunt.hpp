@@ -15,7 +15,7 @@ struct HuntLimits {
   std::uint64_t rays;
   double seconds;  ///< 0: no limit
   std::uint64_t seed;
-  int threads;  ///< 0: all
+  int threads;                                    ///< 0: all
   std::function<void(std::uint64_t)> progress{};  ///< told after each round how many rays it cast
 };
 
