@@ -12,10 +12,10 @@ namespace {
 class Canvas {
 public:
   Canvas(Box const& bounds, int columns)
-    : bounds_(bounds), columns_(columns), step_(std::max((bounds.max.x - bounds.min.x) / columns, 1e-300))
+    : bounds_(bounds), columns_(columns), step_((bounds.max.x - bounds.min.x) / columns)
   {
-    double const rows = std::ceil((bounds.max.y - bounds.min.y) / (2 * step_));  // characters are twice as high as wide
-    rows_ = static_cast<int>(std::clamp(rows, 1.0, 200.0));
+    constexpr int most_rows = 200;
+    rows_ = 1 + index(bounds.max.y - bounds.min.y, 2 * step_, most_rows);  // characters are twice as high as wide
     lines_.assign(static_cast<std::size_t>(rows_), std::string(static_cast<std::size_t>(columns), ' '));
   }
 
@@ -37,9 +37,11 @@ public:
   }
 
 private:
+  /// offset / step within 0 .. n-1; 0 where the quotient of huge coordinates is no number.
   static int index(double offset, double step, int n)
   {
-    return static_cast<int>(std::clamp(offset / step, 0.0, n - 1.0));
+    double const x = offset / step;
+    return x > 0 ? static_cast<int>(std::min(x, n - 1.0)) : 0;
   }
 
   Box bounds_;

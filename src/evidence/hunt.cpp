@@ -145,6 +145,7 @@ private:
   }
 
   /// An aimed ray that reaches its aim proposes it even if another face coincides with it or it is no occluder.
+  /// How near is near enough is a choice, single precision in mind: the exact predicate decides every proposal.
   void note_aim(Plan const& plan, RayHit const& hit, Strategy strategy, Catch& out) const
   {
     Aim const& aim = *plan.aim;
