@@ -15,13 +15,28 @@ namespace visibility::commands {
 
 namespace {
 
-template <Arithmetic A>
-PotentiallyVisibleSet run_strong_occlusion(MethodArguments const& a, PreparedScene const& scene, ViewCell const& cell)
+using Switch = bool strong_occlusion::Options::*;
+
+std::vector<std::pair<std::string, Switch>> const& optimizations()
+{
+  using O = strong_occlusion::Options;
+  static std::vector<std::pair<std::string, Switch>> const all{{"leading-ray", &O::leading_ray},
+                                                               {"skip-hidden", &O::skip_hidden},
+                                                               {"hull-rays", &O::hull_rays},
+                                                               {"groups", &O::groups},
+                                                               {"cache", &O::cache},
+                                                               {"sight-line-first", &O::sight_line_first},
+                                                               {"shaft", &O::shaft}};
+  return all;
+}
+
+strong_occlusion::Options strong_occlusion_options(MethodArguments const& a)
 {
   strong_occlusion::Options options;
   options.granularity = strong_occlusion::granularity_from_string(a.granularity);
-  options.groups = !a.no_groups;
-  return StrongOcclusion<A>(options)(scene, cell);
+  for (auto const& [name, optimization] : optimizations())
+    if (std::ranges::find(a.without, name) != a.without.end()) options.*optimization = false;
+  return options;
 }
 
 void require_one_of(std::string const& option, std::string const& value, std::vector<std::string> const& valid)
@@ -40,8 +55,11 @@ void MethodArguments::add_to(CLI::App& command)
 {
   command.add_option("--method", method, "strong-occlusion (default) or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
-  command.add_option("--granularity", granularity, "strong-occlusion: object, part or face (default)");
-  command.add_flag("--no-groups", no_groups, "strong-occlusion: test objects one by one");
+  command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
+  std::string names;
+  for (auto const& [name, optimization] : optimizations()) names += (names.empty() ? "" : ", ") + name;
+  command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
+    ->delimiter(',');
   add_count_option(command, "--rays", rays, "sampling: rays to shoot (default 1000000)");
   command.add_option("--seconds", seconds, "sampling: stop after this time (default 0: no limit)");
   command.add_option("--seed", seed, "sampling: seed (default 1)");
@@ -51,7 +69,10 @@ void MethodArguments::validate() const
 {
   require_one_of("--method", method, method_names());
   require_one_of("--arithmetic", arithmetic, {"filtered", "rational", "double"});
-  require_one_of("--granularity", granularity, {"object", "part", "face"});
+  require_one_of("--granularity", granularity, {"object", "part", "face", "triangle"});
+  std::vector<std::string> names;
+  for (auto const& [name, optimization] : optimizations()) names.push_back(name);
+  for (auto const& name : without) require_one_of("--without", name, names);
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
   if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
@@ -61,7 +82,10 @@ std::map<std::string, std::string> MethodArguments::options() const
 {
   if (method == "sampling")
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
-  return {{"granularity", granularity}, {"groups", no_groups ? "off" : "on"}};
+  std::map<std::string, std::string> out{{"granularity", granularity}};
+  auto const options = strong_occlusion_options(*this);
+  for (auto const& [name, optimization] : optimizations()) out[name] = options.*optimization ? "on" : "off";
+  return out;
 }
 
 MethodRunner::MethodRunner(MethodArguments arguments, PreparedScene const& scene)
@@ -77,10 +101,11 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
     return Sampling(
       {.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed, .progress = progress})(*rays_,
                                                                                                                cell);
+  auto const options = strong_occlusion_options(arguments_);
   auto const run = [&] {
-    if (arguments_.arithmetic == "rational") return run_strong_occlusion<Rational>(arguments_, scene_, cell);
-    if (arguments_.arithmetic == "double") return run_strong_occlusion<Double>(arguments_, scene_, cell);
-    return run_strong_occlusion<Filtered>(arguments_, scene_, cell);
+    if (arguments_.arithmetic == "rational") return StrongOcclusion<Rational>(options)(scene_, cell);
+    if (arguments_.arithmetic == "double") return StrongOcclusion<Double>(options)(scene_, cell);
+    return StrongOcclusion<Filtered>(options)(scene_, cell);
   };
   auto set = run();
   progress(1);

@@ -24,7 +24,7 @@ struct MethodArguments {
   std::string method = "strong-occlusion";
   std::string arithmetic = "filtered";
   std::string granularity = "face";
-  bool no_groups = false;
+  std::vector<std::string> without;  ///< optimizations of strong occlusion that are switched off
   std::uint64_t rays = 1'000'000;
   double seconds = 0;
   std::uint64_t seed = 1;

@@ -55,6 +55,25 @@ Trial trial(int seed, Mix mix = Mix::all)
   return {grid_scene(random, random.between(2, 40), -12, 12, mix, seed % 2 == 0 ? cell : Box{}), ViewCell(cell)};
 }
 
+/// As `trial`, from a cell that is no box.
+Trial with_any_cell(int seed)
+{
+  Trial t = trial(seed);
+  Random random(static_cast<std::uint64_t>(seed) + 77);
+  for (;;) {
+    std::vector<Point3d> points;
+    for (int i = random.between(4, 9); i > 0; --i) points.push_back(random.grid_point(-2, 2));
+    try {
+      t.cell = ViewCell::hull(points);
+      return t;
+    } catch (std::invalid_argument const&) {
+      continue;  // all in one plane
+    }
+  }
+}
+
+constexpr std::array granularities{Granularity::object, Granularity::part, Granularity::face, Granularity::triangle};
+
 /// The scene with every coordinate mapped; `map` must be exact.
 template <class Map>
 Scene mapped(Scene const& scene, Map&& map)
@@ -99,20 +118,57 @@ TEST_CASE("strong occlusion: filtered and rational arithmetic agree", "[methods]
   REQUIRE(visible<Filtered>(t.scene, t.cell) == visible<Rational>(t.scene, t.cell));
 }
 
-TEST_CASE("strong occlusion: groups save work and change nothing; a finer granularity never gives more",
-          "[methods][law]")
+TEST_CASE("strong occlusion: a finer granularity never gives more", "[methods][law]")
 {
   auto const seed = GENERATE(range(1, 41));
   CAPTURE(seed);
   auto const t = trial(seed);
   Set coarser(t.scene.objects.size());
   std::iota(coarser.begin(), coarser.end(), 0U);
-  for (auto const g : {Granularity::object, Granularity::part, Granularity::face}) {
-    auto const set = visible(t.scene, t.cell, {.granularity = g, .groups = true});
-    REQUIRE(set == visible(t.scene, t.cell, {.granularity = g, .groups = false}));
+  for (auto const g : granularities) {
+    auto const set = visible(t.scene, t.cell, {.granularity = g});
     REQUIRE(is_subset(set, coarser));
     coarser = set;
   }
+}
+
+TEST_CASE("strong occlusion: optimizations save work and change nothing, each alone, left out, and all",
+          "[methods][law]")
+{
+  using O = StrongOcclusion<>::Options;
+  auto const g = GENERATE(from_range(granularities));
+  auto const seed = GENERATE(range(1, 31));
+  CAPTURE(seed, to_string(g));
+  auto const t = seed % 3 == 0 ? with_any_cell(seed) : trial(seed);
+  auto const expected = visible(t.scene, t.cell, O::naive(g));
+  REQUIRE(visible(t.scene, t.cell, {.granularity = g}) == expected);
+  for (auto const optimization :
+       {&O::leading_ray, &O::skip_hidden, &O::hull_rays, &O::groups, &O::cache, &O::sight_line_first, &O::shaft}) {
+    O alone = O::naive(g), others{.granularity = g};
+    alone.*optimization = true;
+    others.*optimization = false;
+    REQUIRE(visible(t.scene, t.cell, alone) == expected);
+    REQUIRE(visible(t.scene, t.cell, others) == expected);
+  }
+}
+
+TEST_CASE("strong occlusion: a cell inside a cell has the same set from its remainder as from the scene",
+          "[methods][law]")
+{
+  auto const coarse = GENERATE(from_range(granularities)), fine = GENERATE(from_range(granularities));
+  if (coarse > fine) return;
+  auto const seed = GENERATE(range(1, 31));
+  CAPTURE(seed, to_string(coarse), to_string(fine));
+  auto const t = trial(seed);
+  Box const b = t.cell.bounds();
+  Box const half{b.min, {(b.min.x + b.max.x) / 2, b.max.y, b.max.z}},
+    quarter{half.min, {half.max.x, (b.min.y + b.max.y) / 2, b.max.z}};
+  PreparedScene const prepared(t.scene);
+  StrongOcclusion<> const upper({.granularity = coarse}), lower({.granularity = fine});
+  auto const [set, rest] =
+    upper.refine(upper.refine(StrongOcclusion<>::Remainder(prepared), t.cell).second, ViewCell(half));
+  REQUIRE(set.visible == upper(prepared, ViewCell(half)).visible);
+  REQUIRE(lower(rest, ViewCell(quarter)).visible == lower(prepared, ViewCell(quarter)).visible);
 }
 
 TEST_CASE("strong occlusion: adding an occluder never makes anything visible", "[methods][law]")

@@ -87,16 +87,10 @@ TEST_CASE("bounding hierarchy: front-to-back reaches every item once and drops w
   BoundingHierarchy const hierarchy(all);
   Box const region{{-10, -10, -10}, {10, 10, 10}};
   std::vector<int> visits(all.size(), 0);
-  double last = 0;
+  std::vector<std::uint32_t> order;
   hierarchy.front_to_back(
-    region,
-    [&](auto, Box const& b) {
-      double const d = approximate_squared_distance(region, b);
-      REQUIRE(d >= last);
-      last = d;
-      return true;
-    },
-    [&](auto i) { ++visits[i]; });
+    region, [](auto, Box const&) { return true; }, [&](auto i) { ++visits[i], order.push_back(i); });
+  REQUIRE(order.front() == hierarchy.nearest_item(0, region));
   REQUIRE(std::ranges::all_of(visits, [](int n) { return n == 1; }));
   hierarchy.front_to_back(
     region, [](auto, Box const&) { return false; }, [](auto) { FAIL("visited a dropped node"); });
@@ -113,4 +107,44 @@ TEST_CASE("bounding hierarchy: identical and empty inputs are fine", "[scene][de
   int found = 0;
   hierarchy.any_along(SegmentProbe({0, 0, 0}, {2, 4, 6}), [&](auto) { return ++found, false; });
   REQUIRE(found == 10'000);
+}
+
+TEST_CASE("bounding hierarchy: carried further, a node keeps its place and holds the items of its groups",
+          "[scene][law]")
+{
+  auto const seed = GENERATE(range(1, 13));
+  CAPTURE(seed);
+  Random random(static_cast<std::uint64_t>(seed));
+  auto const items = boxes(random, random.between(1, 400), seed % 2 == 0);
+  std::vector<std::uint32_t> first{0};
+  std::vector<Box> groups;
+  while (first.back() < items.size()) {
+    auto const next =
+      std::min<std::size_t>(items.size(), first.back() + static_cast<std::size_t>(random.between(1, seed)));
+    groups.emplace_back();
+    for (auto i = first.back(); i < next; ++i) groups.back().extend(items[i]);
+    first.push_back(static_cast<std::uint32_t>(next));
+  }
+  BoundingHierarchy const coarse(groups), fine(coarse, first, items);
+  fine.validate(items);
+  auto const below = [](BoundingHierarchy const& tree, std::uint32_t node) {
+    std::vector<std::uint32_t> out, stack{node};
+    while (!stack.empty()) {
+      auto const& n = tree.nodes()[stack.back()];
+      stack.pop_back();
+      if (n.is_leaf())
+        out.insert(out.end(), tree.items().begin() + n.first, tree.items().begin() + n.first + n.count);
+      else
+        stack.insert(stack.end(), {n.first, n.first + 1});
+    }
+    std::ranges::sort(out);
+    return out;
+  };
+  for (std::uint32_t n = 0; n < coarse.nodes().size(); ++n) {
+    std::vector<std::uint32_t> expected;
+    for (auto const g : below(coarse, n))
+      for (auto i = first[g]; i < first[g + 1]; ++i) expected.push_back(i);
+    REQUIRE(below(fine, n) == expected);
+    REQUIRE(fine.nodes()[n].bounds == coarse.nodes()[n].bounds);
+  }
 }

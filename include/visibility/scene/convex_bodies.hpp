@@ -32,6 +32,8 @@ public:
   Scene const& scene() const { return *scene_; }
   std::span<Body const> bodies() const { return bodies_; }  ///< in object order
   std::span<Body const> bodies_of(std::uint32_t object) const;
+  /// Position in bodies() of each object's first body, and the number of bodies at the end.
+  std::span<std::uint32_t const> first_of_object() const { return first_body_; }
   std::span<Box const> bounds() const { return bounds_; }  ///< one per body, outward
   std::span<Box const> bounds_of(std::uint32_t object) const;
   std::size_t invalid_footprints() const { return invalid_footprints_; }  ///< occludees only

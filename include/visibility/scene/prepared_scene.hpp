@@ -10,16 +10,18 @@ namespace visibility {
 class PreparedScene {
 public:
   explicit PreparedScene(Scene const& scene)
-    : bodies_(scene), object_bounds_(bounds_of_objects(bodies_)), body_hierarchy_(bodies_.bounds()),
-      object_hierarchy_(object_bounds_)
+    : bodies_(scene), object_bounds_(bounds_of_objects(bodies_)), object_hierarchy_(object_bounds_),
+      body_hierarchy_(object_hierarchy_, bodies_.first_of_object(), bodies_.bounds())
   {
   }
 
   Scene const& scene() const { return bodies_.scene(); }
   ConvexBodies const& bodies() const { return bodies_; }
   std::span<Box const> object_bounds() const { return object_bounds_; }            ///< outward, one per object
-  BoundingHierarchy const& body_hierarchy() const { return body_hierarchy_; }      ///< items: positions in bodies()
   BoundingHierarchy const& object_hierarchy() const { return object_hierarchy_; }  ///< items: positions in objects
+  /// Items: positions in bodies(). The object hierarchy carried further: node i there holds the objects of which node i
+  /// here holds the bodies.
+  BoundingHierarchy const& body_hierarchy() const { return body_hierarchy_; }
 
 private:
   static std::vector<Box> bounds_of_objects(ConvexBodies const& bodies)
@@ -31,7 +33,7 @@ private:
 
   ConvexBodies bodies_;
   std::vector<Box> object_bounds_;
-  BoundingHierarchy body_hierarchy_, object_hierarchy_;
+  BoundingHierarchy object_hierarchy_, body_hierarchy_;
 };
 
 }  // namespace visibility

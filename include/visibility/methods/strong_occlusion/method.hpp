@@ -1,27 +1,35 @@
 #pragma once
 
-#include "visibility/methods/strong_occlusion/occluder_search.hpp"
-#include "visibility/methods/strong_occlusion/options.hpp"
-#include "visibility/scene/faces.hpp"
+#include "visibility/methods/strong_occlusion/object_walk.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
+
+#include <utility>
 
 namespace visibility {
 
-/// Strong occlusion: an object is hidden if one convex body blocks every sight line to it, or to each of its parts or
-/// faces. Conservative: what is hidden by several bodies together is kept.
+/// Strong occlusion: an object is hidden if one convex body blocks every sight line to it, or to each of its parts,
+/// faces or triangles. Conservative: what is hidden by several bodies together is kept.
 /// Takes any scene: boxes, prisms, polyhedra, balls and triangles are occluders, each on its own.
-/// Source: [Cohen-Or98]; method and departures: docs/strong-occlusion.md.
+/// Source: [CohenOr98]; method and departures: docs/strong-occlusion.md.
 template <Arithmetic A = Filtered>
 class StrongOcclusion {
 public:
   using Options = strong_occlusion::Options;
+  using Remainder = strong_occlusion::Remainder;
 
   StrongOcclusion() = default;
   explicit StrongOcclusion(Options options) : options_(options) {}
 
-  /// The potentially visible set: `conservative` (`none` with `Double`). Statistics: targets, candidates, rays,
-  /// groups_hidden.
-  PotentiallyVisibleSet operator()(PreparedScene const& scene, ViewCell const& cell) const;
+  /// The potentially visible set: `conservative` (`none` with `Double`). Statistics: see strong_occlusion::Counts.
+  PotentiallyVisibleSet operator()(PreparedScene const& scene, ViewCell const& cell) const
+  {
+    return operator()(Remainder(scene), cell);
+  }
+  /// The same set, for a cell inside one that has left this remainder. Requires: no finer granularity than now was
+  /// used for that cell.
+  PotentiallyVisibleSet operator()(Remainder const& remainder, ViewCell const& cell) const;
+  /// The set, and what is left for cells inside this one.
+  std::pair<PotentiallyVisibleSet, Remainder> refine(Remainder const& remainder, ViewCell const& cell) const;
 
 private:
   Options options_;
@@ -29,69 +37,56 @@ private:
 
 namespace strong_occlusion {
 
-/// Whether no strong occluder was found for some face of the body at the given granularity.
+/// What is left for cells inside this one, after an ObjectWalk.
 template <Arithmetic A>
-bool possibly_visible(OccluderSearch<A>& search, PreparedScene const& scene, ViewCell const& cell,
-                      ConvexBodies::Body const& body, Box const& bounds, Granularity granularity)
+Remainder left_over(OccluderSearch<A> const& search, Remainder const& remainder,
+                    std::vector<Remainder::Item> const& visible, ViewCell const& cell)
 {
-  if (!certainly_disjoint(cell, bounds)) return true;
-  std::vector<Point3d> target;
-  scene.bodies().append_vertices(body, target);
-  if (search.find(target)) return false;
-  if (granularity != Granularity::face) return true;
-  return any_face_towards(cell, scene.bodies(), body, [&](std::span<Point3d const> face) {
-    target.assign(face.begin(), face.end());
-    return !search.find(target);
-  });
+  std::vector<bool> is_visible(remainder.objects().items().size());
+  for (auto const o : visible) is_visible[o] = true;
+  std::vector<Remainder::Kept> kept;
+  remainder.objects().front_to_back(
+    cell.bounds(), [&](std::uint32_t node, Box const&) { return !search.is_hidden_node(node); },
+    [&](Remainder::Item o) {
+      kept.push_back({o, !is_visible[o]});
+    });
+  return remainder.keep(kept, [&](Remainder::Item body) { return search.is_hidden_body(body); });
 }
 
-/// The same for a whole object.
 template <Arithmetic A>
-bool possibly_visible(OccluderSearch<A>& search, PreparedScene const& scene, ViewCell const& cell, std::uint32_t object,
-                      Granularity granularity)
+PotentiallyVisibleSet make_set(OccluderSearch<A> const& search, Remainder const& remainder,
+                               std::vector<Remainder::Item> const& visible, std::uint64_t groups_hidden)
 {
-  Box const& box = scene.object_bounds()[object];
-  if (certainly_disjoint(cell, box)) {
-    auto const corners = box.corners();
-    std::vector<Point3d> target(corners.begin(), corners.end());
-    if (search.find(target)) return false;
-  }
-  if (granularity == Granularity::object) return true;
-  auto const bodies = scene.bodies().bodies_of(object);
-  auto const bounds = scene.bodies().bounds_of(object);
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (possibly_visible(search, scene, cell, bodies[i], bounds[i], granularity)) return true;
-  return false;
+  PotentiallyVisibleSet set;
+  set.guarantee = A::is_exact ? Guarantee::conservative : Guarantee::none;
+  for (auto const o : visible) set.visible.push_back(remainder.object(o));
+  std::ranges::sort(set.visible);
+  auto const& c = search.counts();
+  set.statistics = {{"targets", double(c.targets)}, {"candidates", double(c.candidates)},
+                    {"rays", double(c.rays)},       {"face_rays", double(c.face_rays)},
+                    {"probes", double(c.probes)},   {"groups_hidden", double(groups_hidden)}};
+  return set;
 }
 
 }  // namespace strong_occlusion
 
 template <Arithmetic A>
-PotentiallyVisibleSet StrongOcclusion<A>::operator()(PreparedScene const& scene, ViewCell const& cell) const
+PotentiallyVisibleSet StrongOcclusion<A>::operator()(Remainder const& remainder, ViewCell const& cell) const
 {
-  strong_occlusion::OccluderSearch<A> search(scene, cell);
-  PotentiallyVisibleSet result;
-  result.guarantee = A::is_exact ? Guarantee::conservative : Guarantee::none;
-  double groups_hidden = 0;
-  auto const enter = [&](std::uint32_t, Box const& group) {
-    if (!options_.groups || !certainly_disjoint(cell, group)) return true;
-    auto const corners = group.corners();
-    std::vector<Point3d> target(corners.begin(), corners.end());
-    bool const hidden = search.find(target).has_value();
-    groups_hidden += hidden;
-    return !hidden;
-  };
-  auto const visit = [&](std::uint32_t object) {
-    if (strong_occlusion::possibly_visible(search, scene, cell, object, options_.granularity))
-      result.visible.push_back(object);
-  };
-  scene.object_hierarchy().front_to_back(cell.bounds(), enter, visit);
-  std::ranges::sort(result.visible);
-  result.statistics = {{"targets", double(search.counts().targets)},
-                       {"candidates", double(search.counts().candidates)},
-                       {"rays", double(search.counts().rays)},
-                       {"groups_hidden", groups_hidden}};
-  return result;
+  strong_occlusion::OccluderSearch<A> search(remainder, cell, options_);
+  strong_occlusion::ObjectWalk<A> walk(search, remainder, cell, options_);
+  auto const visible = walk.run();
+  return make_set(search, remainder, visible, walk.groups_hidden());
+}
+
+template <Arithmetic A>
+auto StrongOcclusion<A>::refine(Remainder const& remainder, ViewCell const& cell) const
+  -> std::pair<PotentiallyVisibleSet, Remainder>
+{
+  strong_occlusion::OccluderSearch<A> search(remainder, cell, options_);
+  strong_occlusion::ObjectWalk<A> walk(search, remainder, cell, options_);
+  auto const visible = walk.run();
+  return {make_set(search, remainder, visible, walk.groups_hidden()), left_over(search, remainder, visible, cell)};
 }
 
 extern template class StrongOcclusion<Filtered>;

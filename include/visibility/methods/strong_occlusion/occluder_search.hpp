@@ -1,78 +1,224 @@
 #pragma once
 
+#include "visibility/methods/strong_occlusion/options.hpp"
+#include "visibility/methods/strong_occlusion/remainder.hpp"
 #include "visibility/methods/strong_occlusion/verdict.hpp"
-#include "visibility/scene/prepared_scene.hpp"
-#include "visibility/scene/view_cell.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace visibility::strong_occlusion {
 
-struct SearchCounts {
-  std::uint64_t targets = 0;     ///< boxes, parts and faces for which an occluder was sought
-  std::uint64_t candidates = 0;  ///< occluders tried
-  std::uint64_t rays = 0;        ///< segments tested against a candidate
-};
-
-/// Looks for a strong occluder of convex targets as seen from one cell.
-///
-/// Every strong occluder meets the leading ray, so the candidates are the bodies along it, nearest first
-/// [Cohen-Or98, 5, optimization 1]. The ray from the highest vertex of the cell to the highest of the target is taken:
-/// where heights are bounded it is the hardest to block, and meets the fewest candidates. Any choice gives the same
-/// answer: "some body blocks all".
+/// Looks for strong occluders of convex targets as seen from one cell. All options give the same answer to "is there
+/// one"; which one is found is a choice.
 template <Arithmetic A>
 class OccluderSearch {
 public:
-  OccluderSearch(PreparedScene const& scene, ViewCell const& cell)
-    : scene_(scene), cell_(cell.vertices().begin(), cell.vertices().end())
+  using Item = Remainder::Item;
+
+  /// Keeps references to all three.
+  OccluderSearch(Remainder const& remainder, ViewCell const& cell, Options const& options)
+    : remainder_(remainder), options_(options),
+      shaft_(cell, options.hull_rays ? Shaft::Rays::hull_edges : Shaft::Rays::all,
+             options.shaft ? Shaft::Culling::all_rays : Shaft::Culling::leading_ray),
+      hidden_nodes_(remainder.bodies().nodes().size()), hidden_bodies_(remainder.bodies().items().size())
   {
-    highest_first(cell_);
+    std::ranges::copy_if(cell.vertices(), std::back_inserter(highest_),
+                         [&](Point3d const& v) { return v.z == cell.bounds().max.z; });
   }
 
-  /// A body that blocks every sight line from the cell to the convex hull of `target`, if there is one.
-  /// Requires: the target shares no vertex with the cell. May reorder `target`.
-  std::optional<std::uint32_t> find(std::vector<Point3d>& target)
+  /// How far a search goes.
+  enum class Effort {
+    recent,     ///< the occluders found last: a few, likely ones
+    exhaustive  ///< all; nothing found means that there is none
+  };
+
+  /// A body, as an item of the remainder, that blocks every sight line from the cell to the target, if there is one.
+  /// Requires: the target shares no point with the cell.
+  std::optional<Item> find(Target const& target, Effort effort = Effort::exhaustive)
   {
     ++counts_.targets;
-    highest_first(target);
-    collect_candidates(cell_.front(), target.front());
-    for (auto const& [distance, body] : candidates_) {
-      ++counts_.candidates;
-      if (blocks_all<A>(scene_.bodies(), scene_.bodies().bodies()[body], cell_, target, counts_.rays)) return body;
+    shaft_.aim(target);
+    if (!options_.leading_ray) return find_by_lists();
+    for (std::size_t i = 0; i < recent_count_; ++i)
+      if (try_candidate(recent_[i])) return remember_again(i);
+    if (effort == Effort::recent) return {};
+    shaft_.prepare_culling();
+    auto const found = walk(
+      target.bounds, [&](Box const& b) { return shaft_.may_block_all(b); }, [&](Item i) { return try_candidate(i); });
+    if (found) remember(*found);
+    return found;
+  }
+
+  /// The same, counted as the rays of a face.
+  std::optional<Item> find_for_face(Target const& target)
+  {
+    auto const before = counts_.rays;
+    auto const found = find(target);
+    counts_.face_rays += counts_.rays - before;
+    return found;
+  }
+
+  /// Whether no body meets the sight line from the cell to `to`: from the highest vertex of the cell, of several the
+  /// one furthest away, because standing back shows more. If one does, it is the first candidate of the next search.
+  /// Requires: `to` is not in the cell.
+  bool is_free(Point3d const& to)
+  {
+    auto const distance = [&](Point3d const& v) { return (v.x - to.x) * (v.x - to.x) + (v.y - to.y) * (v.y - to.y); };
+    Point3d from = highest_[0];
+    for (auto const& v : highest_)
+      if (distance(v) > distance(from)) from = v;
+    auto const meets = [&](Item i) {
+      auto const& body = bodies().bodies()[remainder_.body(i)];
+      if (!body.occludes || (options_.skip_hidden && hidden_bodies_[i])) return false;
+      ++counts_.rays;
+      return segment_meets<A, End::excluded>(bodies(), body, from, to);
+    };
+    for (std::size_t i = 0; i < recent_count_; ++i)
+      if (meets(recent_[i])) return remember_again(i), false;
+    SegmentProbe const probe(from, to);
+    auto const found = walk(
+      Box{to, to}, [&](Box const& b) { return !probe.certainly_misses(b); }, meets);
+    if (found) remember(*found);
+    return !found;
+  }
+
+  /// What has a strong occluder need not be tried as one [CohenOr98, 5, optimization 2].
+  void hide_node(std::uint32_t node) { hidden_nodes_[node] = true; }
+  void hide_body(Item body) { hidden_bodies_[body] = true; }
+  bool is_hidden_node(std::uint32_t node) const { return hidden_nodes_[node]; }
+  bool is_hidden_body(Item body) const { return hidden_bodies_[body]; }
+
+  Counts const& counts() const { return counts_; }
+
+private:
+  /// Which of two boxes comes first on the way from one box to another: along the axis of the longest way, to within
+  /// rounding. A choice.
+  class Ahead {
+  public:
+    Ahead(Box const& from, Box const& to)
+    {
+      double longest = -1;
+      for (auto const k : {&Point3d::x, &Point3d::y, &Point3d::z}) {
+        double const way = (to.min.*k - from.min.*k) + (to.max.*k - from.max.*k);
+        if (std::fabs(way) <= longest) continue;
+        longest = std::fabs(way);
+        axis_ = k;
+        up_ = way > 0;
+      }
+    }
+    bool operator()(Box const& a, Box const& b) const
+    {
+      return (a.min.*axis_ + a.max.*axis_ <= b.min.*axis_ + b.max.*axis_) == up_;
+    }
+
+  private:
+    double Point3d::*axis_ = &Point3d::x;
+    bool up_ = true;
+  };
+
+  static constexpr std::size_t cache_size = 8;
+
+  ConvexBodies const& bodies() const { return remainder_.scene().bodies(); }
+
+  bool try_candidate(Item i)
+  {
+    auto const& body = bodies().bodies()[remainder_.body(i)];
+    return body.occludes && blocks_all<A>(bodies(), body, remainder_.body_bounds(i), shaft_, counts_);
+  }
+
+  Item remember_again(std::size_t position)
+  {
+    std::rotate(recent_.begin(), recent_.begin() + position, recent_.begin() + position + 1);
+    return recent_.front();
+  }
+  void remember(Item found)
+  {
+    if (!options_.cache) return;
+    recent_count_ = std::min(recent_count_ + 1, cache_size);
+    remember_again(recent_count_ - 1);
+    recent_.front() = found;
+  }
+
+  /// The first body for which try_body(item) holds, the half of each node that comes first on the way first; only boxes
+  /// that may_hold(box) are looked into.
+  template <class MayHold, class TryBody>
+  std::optional<Item> walk(Box const& towards, MayHold&& may_hold, TryBody&& try_body)
+  {
+    Ahead const before(shaft_.cell().bounds(), towards);
+    BoundingHierarchy const& tree = remainder_.bodies();
+    auto const pass = [&](std::uint32_t node) {
+      if (options_.skip_hidden && hidden_nodes_[node]) return false;
+      ++counts_.probes;
+      return may_hold(tree.nodes()[node].bounds);
+    };
+    stack_.clear();
+    if (!tree.nodes().empty() && pass(0)) stack_.push_back(0);
+    while (!stack_.empty()) {
+      auto const& node = tree.nodes()[stack_.back()];
+      stack_.pop_back();
+      if (node.is_leaf()) {
+        counts_.probes += node.count;
+        for (auto k = node.first; k < node.first + node.count; ++k)
+          if (Item const i = tree.items()[k];
+              may_hold(tree.item_bounds()[k]) && !(options_.skip_hidden && hidden_bodies_[i]) && try_body(i))
+            return i;
+        continue;
+      }
+      bool const left = pass(node.first), right = pass(node.first + 1);
+      if (left && right) {
+        bool const left_first = before(tree.nodes()[node.first].bounds, tree.nodes()[node.first + 1].bounds);
+        stack_.push_back(node.first + (left_first ? 1 : 0));
+        stack_.push_back(node.first + (left_first ? 0 : 1));
+      } else if (left || right) {
+        stack_.push_back(node.first + (left ? 0 : 1));
+      }
     }
     return {};
   }
 
-  SearchCounts const& counts() const { return counts_; }
-
-private:
-  static void highest_first(std::vector<Point3d>& points)
+  /// The paper's first algorithm [CohenOr98, 3]: each ray lists the bodies it meets; a body on every list is a strong
+  /// occluder. Ends when no body is left.
+  std::optional<Item> find_by_lists()
   {
-    std::ranges::sort(points, [](Point3d const& a, Point3d const& b) { return a.z > b.z; });
+    BoundingHierarchy const& tree = remainder_.bodies();
+    std::vector<Item> common, listed;
+    for (auto const& ray : shaft_.rays()) {
+      SegmentProbe const probe(ray.from, ray.to);
+      listed.clear();
+      tree.any_along(probe, [&](Item i) {
+        auto const& body = bodies().bodies()[remainder_.body(i)];
+        if (!body.occludes || (options_.skip_hidden && hidden_bodies_[i])) return false;
+        ++counts_.rays;
+        if (segment_meets<A, End::excluded>(bodies(), body, ray.from, ray.to)) listed.push_back(i);
+        return false;
+      });
+      std::ranges::sort(listed);
+      if (&ray == &shaft_.rays().front()) {
+        common = listed;
+      } else {
+        std::vector<Item> both;
+        std::ranges::set_intersection(common, listed, std::back_inserter(both));
+        common = std::move(both);
+      }
+      if (common.empty()) return {};
+    }
+    // The lists of hull rays do not decide for bodies that touch the cell or the target.
+    auto const found = std::ranges::find_if(common, [&](Item i) { return try_candidate(i); });
+    return found == common.end() ? std::nullopt : std::optional(*found);
   }
 
-  void collect_candidates(Point3d const& from, Point3d const& to)
-  {
-    candidates_.clear();
-    SegmentProbe const probe(from, to);
-    auto const bounds = scene_.bodies().bounds();
-    scene_.body_hierarchy().any_along(probe, [&](std::uint32_t i) {
-      if (!scene_.bodies().bodies()[i].occludes || probe.certainly_misses(bounds[i])) return false;
-      Box start;
-      start.extend(from);
-      candidates_.emplace_back(approximate_squared_distance(start, bounds[i]), i);
-      return false;
-    });
-    std::ranges::sort(candidates_);
-  }
-
-  PreparedScene const& scene_;
-  std::vector<Point3d> cell_;
-  std::vector<std::pair<double, std::uint32_t>> candidates_;
-  SearchCounts counts_;
+  Remainder const& remainder_;
+  Options const& options_;
+  Shaft shaft_;
+  std::vector<bool> hidden_nodes_, hidden_bodies_;
+  std::vector<Point3d> highest_;  // vertices of the cell
+  std::vector<std::uint32_t> stack_;
+  std::array<Item, cache_size> recent_{};
+  std::size_t recent_count_ = 0;
+  Counts counts_;
 };
 
 }  // namespace visibility::strong_occlusion

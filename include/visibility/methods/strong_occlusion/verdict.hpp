@@ -1,26 +1,35 @@
 #pragma once
 
 #include "visibility/kernel/arithmetic.hpp"
+#include "visibility/methods/strong_occlusion/counts.hpp"
+#include "visibility/methods/strong_occlusion/shaft.hpp"
 #include "visibility/scene/convex_bodies.hpp"
-
-#include <cstdint>
-#include <span>
 
 namespace visibility::strong_occlusion {
 
-/// Whether the body blocks every half-open sight line [c, s) from a vertex c of the cell to a vertex s of the target.
-/// Then it blocks every sight line from the cell's convex hull to the target's: for fixed s the points c whose segment
-/// [c, s) meets a convex set form a convex set, and so do, for fixed c, the points s (proofs/strong_occlusion.md).
-/// The test uses closed segments in the paper; there two coinciding faces would hide each other.
-/// Requires: no vertex is in both lists. `rays` counts the segments tested.  Source: [Cohen-Or98, 3].
+/// Whether the body blocks every half-open sight line [c, s) from the cell to the shaft's target. It is enough that it
+/// blocks those between vertices (proofs/strong_occlusion.md, Theorem 1), and those along hull edges if it touches
+/// neither cell nor target (Theorem 2). The paper tests closed segments; there two coinciding faces would hide each
+/// other. Exact. Counts candidates and rays.  Source: [CohenOr98, 3].
 template <Arithmetic A>
-bool blocks_all(ConvexBodies const& scene, ConvexBodies::Body const& body, std::span<Point3d const> cell,
-                std::span<Point3d const> target, std::uint64_t& rays)
+bool blocks_all(ConvexBodies const& scene, ConvexBodies::Body const& body, Box const& bounds, Shaft& shaft,
+                Counts& counts)
 {
-  for (auto const& s : target)
-    for (auto const& c : cell) {
-      ++rays;
-      if (!segment_meets<A, End::excluded>(scene, body, c, s)) return false;
+  if (!shaft.within_slabs(bounds)) return false;
+  ++counts.candidates;
+  bool const is_box = body.kind == ConvexBodies::Kind::box;
+  auto const meets = [&](Ray const& r) {
+    // For a box, within_slabs has decided one half of segment_meets for all sight lines.
+    if (is_box) return line_meets<A>(scene.box(body), r.from, r.to);
+    return !SegmentProbe(r.from, r.to).certainly_misses(bounds) &&
+           segment_meets<A, End::excluded>(scene, body, r.from, r.to);
+  };
+  if (!shaft.all_rays(counts.rays, meets)) return false;
+  if (shaft.decides(bounds)) return true;
+  for (auto const& s : shaft.target().vertices)
+    for (auto const& c : shaft.cell().vertices()) {
+      ++counts.rays;
+      if (!meets({c, s})) return false;
     }
   return true;
 }

@@ -1,0 +1,122 @@
+#pragma once
+
+#include "visibility/methods/strong_occlusion/occluder_search.hpp"
+#include "visibility/scene/faces.hpp"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace visibility::strong_occlusion {
+
+/// Calls find(target) for the triangles of a convex polygon, fanned from its first vertex, until it finds nothing;
+/// returns whether that happened. The vertices of a polygon with holes in their order (faces.hpp) do not occur.
+template <class Find>
+bool any_triangle_unoccluded(std::span<Point3d const> polygon, Find&& find)
+{
+  for (std::size_t i = 2; i < polygon.size(); ++i) {
+    std::array<Point3d, 3> const triangle{polygon[0], polygon[i - 1], polygon[i]};
+    if (!find(target_of(triangle))) return true;
+  }
+  return false;
+}
+
+/// Whether objects of a remainder are possibly visible: none of the targets of some granularity has a strong occluder.
+template <Arithmetic A>
+class ObjectVisibility {
+public:
+  using Item = Remainder::Item;
+
+  /// Keeps references to the first three.
+  ObjectVisibility(OccluderSearch<A>& search, Remainder const& remainder, ViewCell const& cell, Options const& options)
+    : search_(search), remainder_(remainder), cell_(cell), granularity_(options.granularity)
+  {
+  }
+
+  /// Whether one sight line to a vertex of the object is free. Then the object is possibly visible at any granularity:
+  /// the vertex belongs to a face that looks towards the cell, or the line would run through the body before it ends.
+  /// Aims at the vertex that is likely to be seen if any is: high up and near.
+  bool is_seen(Item object)
+  {
+    auto const [first, last] = remainder_.bodies_of(object);
+    Item highest = first;
+    for (Item b = first + 1; b < std::min(last, first + most_bodies_compared); ++b)
+      if (remainder_.body_bounds(b).max.z > remainder_.body_bounds(highest).max.z) highest = b;
+    Point3d const target = high_and_near(highest);
+    return !contains(cell_.bounds(), target) && search_.is_free(target);
+  }
+
+  /// Marks bodies found hidden as such.
+  bool operator()(Item object)
+  {
+    Box const& box = remainder_.scene().object_bounds()[remainder_.object(object)];
+    auto const [first, last] = remainder_.bodies_of(object);
+    bool const disjoint = certainly_disjoint(cell_, box);
+    if (disjoint && search_.find(BoxTarget(box).target())) {
+      for (Item b = first; b < last; ++b) search_.hide_body(b);
+      return false;
+    }
+    if (granularity_ == Granularity::object) return true;
+    for (Item b = first; b < last; ++b) {
+      bool const same_box = disjoint && is_box(b) && remainder_.body_bounds(b) == box;
+      if (body(b, same_box)) return true;
+    }
+    return false;
+  }
+
+  /// The same for one body. `box_was_tested`: no strong occluder was found for its bounding box, and that is its hull.
+  bool body(Item item, bool box_was_tested)
+  {
+    if (!certainly_disjoint(cell_, remainder_.body_bounds(item))) return true;
+    if (!box_was_tested && whole_body_is_hidden(item)) {
+      search_.hide_body(item);
+      return false;
+    }
+    if (granularity_ < Granularity::face) return true;
+    return any_face_towards(cell_, bodies(), of(item), [&](std::span<Point3d const> face) {
+      auto const find = [&](Target const& t) { return search_.find_for_face(t); };
+      if (find(target_of(face))) return false;
+      return granularity_ == Granularity::face || face.size() == 3 || any_triangle_unoccluded(face, find);
+    });
+  }
+
+private:
+  using Kind = ConvexBodies::Kind;
+
+  ConvexBodies const& bodies() const { return remainder_.scene().bodies(); }
+  ConvexBodies::Body const& of(Item item) const { return bodies().bodies()[remainder_.body(item)]; }
+  bool is_box(Item item) const { return of(item).kind == Kind::box || of(item).kind == Kind::ball; }
+
+  /// Of the highest vertices of the body, or of its bounding box, that nearest to the cell.
+  Point3d high_and_near(Item item)
+  {
+    Box const &b = remainder_.body_bounds(item), &c = cell_.bounds();
+    if (is_box(item))
+      return {b.min.x + b.max.x > c.min.x + c.max.x ? b.min.x : b.max.x,
+              b.min.y + b.max.y > c.min.y + c.max.y ? b.min.y : b.max.y, b.max.z};
+    vertices_.clear();
+    bodies().append_vertices(of(item), vertices_);
+    return *std::ranges::min_element(vertices_, {}, [&](Point3d const& v) {
+      return std::pair(-v.z, approximate_squared_distance(c, Box{v, v}));
+    });
+  }
+
+  bool whole_body_is_hidden(Item item)
+  {
+    if (is_box(item)) return search_.find(BoxTarget(remainder_.body_bounds(item)).target()).has_value();
+    vertices_.clear();
+    bodies().append_vertices(of(item), vertices_);
+    return search_.find(target_of(vertices_)).has_value();
+  }
+
+  static constexpr Item most_bodies_compared = 16;
+
+  OccluderSearch<A>& search_;
+  Remainder const& remainder_;
+  ViewCell const& cell_;
+  Granularity granularity_;
+  std::vector<Point3d> vertices_;
+};
+
+}  // namespace visibility::strong_occlusion

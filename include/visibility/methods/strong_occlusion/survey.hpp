@@ -1,0 +1,72 @@
+#pragma once
+
+#include "visibility/methods/strong_occlusion/object_visibility.hpp"
+
+namespace visibility::strong_occlusion {
+
+/// What the tables of [CohenOr98, 6] count: every body looked at, and every polygon of a body that is not hidden as a
+/// whole, where the method itself stops at the first that is visible.
+struct Survey {
+  std::uint64_t bodies = 0;
+  std::uint64_t hidden_bodies = 0;     ///< one strong occluder for the whole body
+  std::uint64_t hidden_piecewise = 0;  ///< those, and bodies each of whose polygons has a strong occluder
+  std::uint64_t visible_polygons = 0;  ///< triangles without a strong occluder that face the cell
+  Counts counts;
+};
+
+/// Surveys a scene from one cell. Polygons are the triangles of faces that look towards the cell. `options.granularity`
+/// and `sight_line_first` do not apply. Exact if the arithmetic is.
+template <Arithmetic A>
+Survey survey(PreparedScene const& scene, ViewCell const& cell, Options const& options)
+{
+  Remainder const remainder(scene);
+  OccluderSearch<A> search(remainder, cell, options);
+  ConvexBodies const& bodies = scene.bodies();
+  Survey out;
+  out.bodies = bodies.bodies().size();
+  std::vector<bool> in_hidden_group(bodies.bodies().size(), true);
+  std::vector<Point3d> vertices;
+
+  auto const look_at = [&](Remainder::Item body) {
+    in_hidden_group[body] = false;
+    Box const& bounds = bodies.bounds()[body];
+    bool const disjoint = certainly_disjoint(cell, bounds);
+    vertices.clear();
+    bodies.append_vertices(bodies.bodies()[body], vertices);
+    Target target = target_of(vertices);
+    target.is_box = bodies.bodies()[body].kind == ConvexBodies::Kind::box;
+    if (disjoint && search.find(target)) {
+      search.hide_body(body);
+      ++out.hidden_bodies;
+      return;
+    }
+    std::uint64_t visible = 0;
+    any_face_towards(cell, bodies, bodies.bodies()[body], [&](std::span<Point3d const> face) {
+      for (std::size_t i = 2; i < face.size(); ++i) {
+        std::array<Point3d, 3> const triangle{face[0], face[i - 1], face[i]};
+        visible += !disjoint || !search.find_for_face(target_of(triangle));
+      }
+      return false;
+    });
+    out.visible_polygons += visible;
+    out.hidden_piecewise += visible == 0;
+  };
+  scene.object_hierarchy().front_to_back(
+    cell.bounds(),
+    [&](std::uint32_t node, Box const& box) {
+      if (!options.groups || !certainly_disjoint(cell, box) || !search.find(BoxTarget(box).target())) return true;
+      search.hide_node(node);
+      return false;
+    },
+    [&](Remainder::Item object) {
+      auto const [first, last] = remainder.bodies_of(object);
+      for (auto b = first; b < last; ++b) look_at(b);
+    });
+  auto const dropped = static_cast<std::uint64_t>(std::ranges::count(in_hidden_group, true));
+  out.hidden_bodies += dropped;
+  out.hidden_piecewise += out.hidden_bodies;
+  out.counts = search.counts();
+  return out;
+}
+
+}  // namespace visibility::strong_occlusion
