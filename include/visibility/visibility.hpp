@@ -50,9 +50,18 @@
 
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/sampling/options.hpp"
+#include "visibility/methods/strong_occlusion/counts.hpp"
+#include "visibility/methods/strong_occlusion/hull_rays.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
+#include "visibility/methods/strong_occlusion/object_visibility.hpp"
+#include "visibility/methods/strong_occlusion/object_walk.hpp"
 #include "visibility/methods/strong_occlusion/occluder_search.hpp"
 #include "visibility/methods/strong_occlusion/options.hpp"
+#include "visibility/methods/strong_occlusion/remainder.hpp"
+#include "visibility/methods/strong_occlusion/shaft.hpp"
+#include "visibility/methods/strong_occlusion/silhouette.hpp"
+#include "visibility/methods/strong_occlusion/survey.hpp"
+#include "visibility/methods/strong_occlusion/target.hpp"
 #include "visibility/methods/strong_occlusion/verdict.hpp"
 
 #include "visibility/evidence/check.hpp"
@@ -62,3 +71,7 @@
 #include "visibility/evidence/ray_scene.hpp"
 #include "visibility/evidence/sight_line.hpp"
 #include "visibility/evidence/witness.hpp"
+
+#include "visibility/viewspace/for_each_cell.hpp"
+#include "visibility/viewspace/partition.hpp"
+#include "visibility/viewspace/refine.hpp"

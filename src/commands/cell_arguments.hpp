@@ -1,7 +1,9 @@
 #pragma once
 
 #include "visibility/scene/view_cell.hpp"
+#include "visibility/viewspace/partition.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,13 +13,19 @@ class App;
 
 namespace visibility::commands {
 
-/// The view cells of a command: `--cell X0,Y0,Z0,X1,Y1,Z1` any number of times, `--cells FILE` a JSON list.
+/// The view cells of a command: `--cell X0,Y0,Z0,X1,Y1,Z1` any number of times, `--cells FILE` a JSON list; or a region
+/// to be divided, `--region X0,Y0,Z0,X1,Y1,Z1` with `--cell-size S` or `SX,SY,SZ` for each level, the coarsest first.
 struct CellArguments {
   std::vector<std::string> boxes;
   std::string file;
+  std::string region;
+  std::vector<std::string> sizes;
 
   void add_to(CLI::App& command);
-  std::vector<ViewCell> load() const;  ///< throws BadInput; at least one cell
+  /// The cells one by one; at least one. Throws BadInput. Requires: no partition().
+  std::vector<ViewCell> load() const;
+  /// The divided region, if one was given. Throws BadInput.
+  std::optional<Partition> partition() const;
 };
 
 }  // namespace visibility::commands

@@ -39,6 +39,17 @@ strong_occlusion::Options strong_occlusion_options(MethodArguments const& a)
   return options;
 }
 
+template <Arithmetic A>
+std::vector<CellSet> refine_strong_occlusion(strong_occlusion::Options fine, strong_occlusion::Granularity coarse,
+                                             PreparedScene const& scene, Partition const& partition,
+                                             std::function<void(std::uint64_t)> const& progress)
+{
+  std::vector<StrongOcclusion<A>> methods(partition.levels(), StrongOcclusion<A>(fine));
+  fine.granularity = std::min(fine.granularity, coarse);
+  std::fill(methods.begin(), methods.end() - 1, StrongOcclusion<A>(fine));
+  return std::move(visibility::refine(scene, partition, methods, [&](std::size_t) { progress(1); }).back());
+}
+
 void require_one_of(std::string const& option, std::string const& value, std::vector<std::string> const& valid)
 {
   if (std::ranges::find(valid, value) != valid.end()) return;
@@ -56,6 +67,8 @@ void MethodArguments::add_to(CLI::App& command)
   command.add_option("--method", method, "strong-occlusion (default) or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
   command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
+  command.add_option("--coarse-granularity", coarse_granularity,
+                     "strong-occlusion: the same for all but the smallest --cell-size (default part)");
   std::string names;
   for (auto const& [name, optimization] : optimizations()) names += (names.empty() ? "" : ", ") + name;
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
@@ -69,7 +82,9 @@ void MethodArguments::validate() const
 {
   require_one_of("--method", method, method_names());
   require_one_of("--arithmetic", arithmetic, {"filtered", "rational", "double"});
-  require_one_of("--granularity", granularity, {"object", "part", "face", "triangle"});
+  std::vector<std::string> const granularities{"object", "part", "face", "triangle"};
+  require_one_of("--granularity", granularity, granularities);
+  require_one_of("--coarse-granularity", coarse_granularity, granularities);
   std::vector<std::string> names;
   for (auto const& [name, optimization] : optimizations()) names.push_back(name);
   for (auto const& name : without) require_one_of("--without", name, names);
@@ -110,6 +125,20 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
   auto set = run();
   progress(1);
   return set;
+}
+
+std::vector<CellSet> MethodRunner::refine(Partition const& partition,
+                                          std::function<void(std::uint64_t)> const& progress) const
+{
+  if (arguments_.method != "strong-occlusion")
+    throw BadInput("--method " + arguments_.method + " cannot refine cells: give --cell-size once");
+  auto const options = strong_occlusion_options(arguments_);
+  auto const coarse = strong_occlusion::granularity_from_string(arguments_.coarse_granularity);
+  if (arguments_.arithmetic == "rational")
+    return refine_strong_occlusion<Rational>(options, coarse, scene_, partition, progress);
+  if (arguments_.arithmetic == "double")
+    return refine_strong_occlusion<Double>(options, coarse, scene_, partition, progress);
+  return refine_strong_occlusion<Filtered>(options, coarse, scene_, partition, progress);
 }
 
 std::uint64_t MethodRunner::steps_per_cell() const { return rays_ ? arguments_.rays : 1; }

@@ -4,6 +4,7 @@
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
+#include "visibility/viewspace/refine.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -24,6 +25,7 @@ struct MethodArguments {
   std::string method = "strong-occlusion";
   std::string arithmetic = "filtered";
   std::string granularity = "face";
+  std::string coarse_granularity = "part";
   std::vector<std::string> without;  ///< optimizations of strong occlusion that are switched off
   std::uint64_t rays = 1'000'000;
   double seconds = 0;
@@ -44,6 +46,9 @@ public:
   /// `progress` is told of steps done, `steps_per_cell` of them for each cell (fewer if a time limit ends the run).
   PotentiallyVisibleSet operator()(ViewCell const& cell, std::function<void(std::uint64_t)> const& progress) const;
   std::uint64_t steps_per_cell() const;
+  /// The sets of the finest cells of a partition, each level starting from the one before. `progress` is told of
+  /// finished cells of any level. Throws BadInput for a method that cannot refine.
+  std::vector<CellSet> refine(Partition const& partition, std::function<void(std::uint64_t)> const& progress) const;
 
 private:
   MethodArguments arguments_;

@@ -24,6 +24,9 @@ namespace visibility::commands {
 
 namespace {
 
+/// With more cells than this the summary shows their average only.
+constexpr std::size_t most_lines = 20;
+
 struct Arguments {
   SceneArgument scene;
   CellArguments cells;
@@ -66,19 +69,74 @@ void print_summary(std::vector<Result> const& results, std::string const& file)
             << " primitives\n"
             << "method  " << first.method << ", " << first.arithmetic << " arithmetic: " << to_string(first.guarantee)
             << '\n';
-  for (auto const& r : results) {
-    double const percent = 100.0 * static_cast<double>(r.objects - r.visible.size()) / static_cast<double>(r.objects);
-    std::cout << "visible " << r.visible.size() << " of " << r.objects << " (" << std::fixed << std::setprecision(2)
-              << percent << " % hidden) in " << std::setprecision(4) << r.seconds.query << " s\n";
+  auto const percent_hidden = [&](double visible) {
+    return 100.0 * (static_cast<double>(first.objects) - visible) / static_cast<double>(first.objects);
+  };
+  std::cout << std::fixed;
+  if (results.size() <= most_lines) {
+    for (auto const& r : results)
+      std::cout << "visible " << r.visible.size() << " of " << r.objects << " (" << std::setprecision(2)
+                << percent_hidden(static_cast<double>(r.visible.size())) << " % hidden) in " << std::setprecision(4)
+                << r.seconds.query << " s\n";
+  } else {
+    double sum = 0, seconds = 0;
+    std::size_t least = first.objects, most = 0;
+    for (auto const& r : results) {
+      sum += static_cast<double>(r.visible.size());
+      seconds += r.seconds.query;
+      least = std::min(least, r.visible.size());
+      most = std::max(most, r.visible.size());
+    }
+    double const n = static_cast<double>(results.size());
+    std::cout << "cells   " << results.size() << ", visible on average " << std::setprecision(1) << sum / n << " of "
+              << first.objects << " (" << std::setprecision(2) << percent_hidden(sum / n) << " % hidden), " << least
+              << " to " << most << ", in " << std::setprecision(4) << seconds / n << " s a cell\n";
   }
   std::cout << "read " << std::setprecision(3) << first.seconds.read << " s, built " << first.seconds.build
             << " s\nwritten to " << file << '\n';
 }
 
+/// Cells, and what the method says of each.
+struct Answers {
+  std::vector<ViewCell> cells;
+  std::vector<CellSet> sets;
+};
+
+Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells)
+{
+  Answers out{std::move(cells), {}};
+  out.sets.resize(out.cells.size());
+  Progress progress(method.steps_per_cell() > 1 ? "rays" : "cells", out.cells.size() * method.steps_per_cell());
+  oneapi::tbb::parallel_for(std::size_t{0}, out.cells.size(), [&](std::size_t i) {
+    auto const start = std::chrono::steady_clock::now();
+    out.sets[i].set = method(out.cells[i], [&](std::uint64_t n) { progress.advance(n); });
+    out.sets[i].seconds = seconds_since(start);
+  });
+  return out;
+}
+
+std::vector<ViewCell> finest_cells(Partition const& partition)
+{
+  std::size_t const finest = partition.levels() - 1;
+  std::vector<ViewCell> cells;
+  for (std::size_t i = 0; i < partition.cell_count(finest); ++i) cells.emplace_back(partition.cell(finest, i));
+  return cells;
+}
+
+Answers coarse_to_fine(MethodRunner const& method, Partition const& partition)
+{
+  std::size_t total = 0;
+  for (std::size_t level = 0; level < partition.levels(); ++level) total += partition.cell_count(level);
+  Progress progress("cells", total);
+  auto sets = method.refine(partition, [&](std::uint64_t n) { progress.advance(n); });
+  return {finest_cells(partition), std::move(sets)};
+}
+
 void run(Arguments const& a)
 {
   a.method.validate();
-  auto const cells = a.cells.load();
+  auto const partition = a.cells.partition();
+  auto cells = partition ? std::vector<ViewCell>{} : a.cells.load();
   auto start = std::chrono::steady_clock::now();
   Scene const scene = a.scene.load();
   double const read = seconds_since(start);
@@ -89,25 +147,22 @@ void run(Arguments const& a)
 
   unsigned const threads = a.threads != 0 ? a.threads : std::max(1U, std::thread::hardware_concurrency());
   oneapi::tbb::global_control const limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
-  std::vector<Result> results(cells.size());
-  std::vector<std::string> maps(a.map ? cells.size() : 0);
-  {
-    Progress progress(method.steps_per_cell() > 1 ? "rays" : "cells", cells.size() * method.steps_per_cell());
-    oneapi::tbb::parallel_for(std::size_t{0}, cells.size(), [&](std::size_t i) {
-      auto const query_start = std::chrono::steady_clock::now();
-      auto const set = method(cells[i], [&](std::uint64_t n) { progress.advance(n); });
-      double const query = seconds_since(query_start);
-      results[i] = make_result(a, prepared, cells[i], set);
-      results[i].seconds = {read, build, query};
-      if (a.map) maps[i] = plan_map(prepared, cells[i], set);
-    });
+  auto const answers = partition && partition->levels() > 1
+                         ? coarse_to_fine(method, *partition)
+                         : one_by_one(method, partition ? finest_cells(*partition) : std::move(cells));
+  std::vector<Result> results;
+  for (std::size_t i = 0; i < answers.cells.size(); ++i) {
+    results.push_back(make_result(a, prepared, answers.cells[i], answers.sets[i].set));
+    results.back().seconds = {read, build, answers.sets[i].seconds};
   }
   if (a.output.empty()) {
     std::cout << to_json(results);
     return;
   }
   write_output(a.output, to_json(results));
-  for (auto const& map : maps) std::cout << map << "# visible  . hidden  C view cell\n\n";
+  if (a.map)
+    for (std::size_t i = 0; i < answers.cells.size(); ++i)
+      std::cout << plan_map(prepared, answers.cells[i], answers.sets[i].set) << "# visible  . hidden  C view cell\n\n";
   print_summary(results, a.output);
 }
 
