@@ -3,6 +3,7 @@
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
+#include "visibility/kernel/number_types.hpp"
 #include "visibility/methods/strong_occlusion/model.hpp"
 
 #include <cmath>
@@ -158,6 +159,29 @@ TEST_CASE("strong occlusion model: no radius gives less than the best one", "[me
       if (r0 > 0) REQUIRE(mean_ratio(R, cell) < std::numbers::e - 1);
     }
   REQUIRE(positive > 5);
+}
+
+TEST_CASE("strong occlusion model: the alternating sum keeps its digits", "[methods][model]")
+{
+  // Against rationals. For K = 100, m = 1/64 terms reach 10^6, and what is left is 1; for K = 20, m = 1/16 the chance
+  // of being covered is 10^-13, the difference of terms up to 28.
+  using visibility::RationalNumber;
+  int const K = GENERATE(1, 5, 20, 60, 100, 200, 400);
+  double const m = GENERATE(0.015625, 0.03125, 0.0625, 0.125, 0.25, 0.625);
+  CAPTURE(K, m);
+  RationalNumber sum = 0, binomial = 1;
+  double largest = 0;
+  for (int j = 1; j <= K + 1 && (j - 1) * m < 1; ++j) {
+    binomial *= RationalNumber(K + 2 - j, j);
+    RationalNumber term = binomial;
+    for (int i = 0; i < K; ++i) term *= (1 - RationalNumber(j - 1) * RationalNumber(m)) / (1 + RationalNumber(m));
+    sum += j % 2 == 1 ? term : RationalNumber(-term);
+    largest = std::max(largest, CGAL::to_double(term));
+  }
+  CAPTURE(largest, CGAL::to_double(sum));
+  REQUIRE(plane::uncovered(K, m) == Approx(CGAL::to_double(sum)).epsilon(1e-14).margin(0));
+  if (sum < 1 && largest < 1e12)
+    REQUIRE(1 - plane::uncovered(K, m) == Approx(CGAL::to_double(1 - sum)).epsilon(1e-9).margin(2e-16));
 }
 
 TEST_CASE("strong occlusion model: P1 <= P2, both fall with K and with the ratio", "[methods][model][law]")

@@ -137,6 +137,16 @@ TEST_CASE("strong occlusion model: intervals leave a gap as often as P1-hat says
   }
 }
 
+TEST_CASE("strong occlusion model: even where three gaps are expected, nothing may be left uncovered",
+          "[methods][model]")
+{
+  Random random(1);
+  auto const f = frequency(40'000, [&] { return gaps(intervals(random, 20, 0.1, 1.1)) > 0; });
+  REQUIRE(plane::expected_gaps(20, 0.1) > 3);
+  REQUIRE(f.speaks_for(plane::uncovered(20, 0.1)));
+  REQUIRE(f.speaks_against_at_least(1));
+}
+
 TEST_CASE("strong occlusion model: Poisson averages describe a random number of intervals, the mean number does not",
           "[methods][model]")
 {

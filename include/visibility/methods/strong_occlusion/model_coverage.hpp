@@ -9,7 +9,7 @@
 /// proofs/strong_occlusion_model.md, which alternate and cancel when many short intervals cover a long one.
 namespace visibility::strong_occlusion::model::coverage {
 
-/// 160 decimal digits: the sums below lose at most 126 of them (page, Theorem 2, "Evaluation").
+/// 160 decimal digits: the sums below lose at most 88 of them (Theorem 2, "Evaluation").
 using Wide = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<160>, boost::multiprecision::et_off>;
 
 inline Wide power(Wide base, unsigned exponent)
