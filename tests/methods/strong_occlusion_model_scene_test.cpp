@@ -129,6 +129,24 @@ TEST_CASE("strong occlusion model: a target is seen though the base of the shaft
   REQUIRE(seen > covered / 10);
 }
 
+TEST_CASE("strong occlusion model: a street of the regular grid shows more balls than the bound allows",
+          "[methods][model]")
+{
+  // No jitter: balls at (odd, odd), the cell at a crossing. Lines from its middle to the lowest points of the row y
+  // = 1.
+  double const R = 0.5, cell = 0.2;
+  int visible = 0;
+  for (int target = 1; target < 1000; target += 2) {
+    Centre const direction{target / std::hypot(target, 1 - R), (1 - R) / std::hypot(target, 1 - R)};
+    bool blocked = false;
+    for (int x = 1; x < target; x += 2)
+      for (int y : {-1, 1, 3}) blocked |= std::abs(x * direction.y - y * direction.x) <= R;
+    visible += !blocked;
+  }
+  REQUIRE(visible == 500);
+  REQUIRE(visible > 10 * plane::visible_estimate(R, cell, plane::best_radius(R, cell)));
+}
+
 TEST_CASE("strong occlusion model: four visible balls where the printed bound counts less than one", "[methods][model]")
 {
   // "There are, clearly, less than pi (eps + r0)^2 / 4 such spheres" [CohenOr98, 4.1]: within r0 of the cell. Four
