@@ -30,8 +30,9 @@ std::vector<double> divide(std::vector<double> const& cuts, std::size_t n)
   std::vector<double> out;
   for (std::size_t i = 1; i < cuts.size(); ++i)
     for (std::size_t k = 0; k < n; ++k) {
-      double const t = static_cast<double>(k) / static_cast<double>(n);
-      double const cut = k == 0 ? cuts[i - 1] : cuts[i - 1] + (cuts[i] - cuts[i - 1]) * t;
+      // Multiplied first: a length of 400 in 20 parts is cut at multiples of 20, without rounding.
+      double const length = cuts[i] - cuts[i - 1];
+      double const cut = k == 0 ? cuts[i - 1] : cuts[i - 1] + length * static_cast<double>(k) / static_cast<double>(n);
       if (!out.empty() && !(cut > out.back()))
         throw std::invalid_argument("the cells are too thin for coordinates of this size");
       out.push_back(cut);
