@@ -1,0 +1,31 @@
+#include "experiments.hpp"
+
+namespace visibility::bench::strong_occlusion {
+
+std::string city(Size size) { return size == Size::full ? "city" : "city,n=200"; }
+
+ViewCell ground_cell(double side, double x, double y)
+{
+  double const h = side / 2;
+  return ViewCell(Box{{x - h, y - h, 0}, {x + h, y + h, 50}});
+}
+
+Options as_published()
+{
+  Options o = Options::naive(Options{}.granularity);
+  o.leading_ray = true;
+  return o;
+}
+
+std::vector<std::pair<std::string, bool Options::*>> switches()
+{
+  return {{"1 leading ray", &Options::leading_ray},
+          {"2 hidden bodies skipped", &Options::skip_hidden},
+          {"3 hull rays", &Options::hull_rays},
+          {"4 groups", &Options::groups},
+          {"5 cache", &Options::cache},
+          {"sight line first", &Options::sight_line_first},
+          {"shaft", &Options::shaft}};
+}
+
+}  // namespace visibility::bench::strong_occlusion

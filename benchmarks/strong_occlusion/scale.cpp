@@ -1,0 +1,47 @@
+#include "experiments.hpp"
+
+#include "visibility/methods/strong_occlusion/method.hpp"
+#include "visibility/scene/generators.hpp"
+
+namespace visibility::bench::strong_occlusion {
+
+void scale(Report& report, Size size)
+{
+  auto& table = report.table(
+    "Scene size: a 20-unit cell at street level, one core",
+    {"boxes", "build, s", "cell", "visible", "query, ms", "us per visible", "double, ms", "exact / double"});
+  struct Place {
+    char const* name;
+    double x, y;
+  };
+  for (auto const* specification :
+       size == Size::full ? std::vector{"city,n=7500", "city,n=75000", "city,n=751000"} : std::vector{"city,n=300"}) {
+    Scene const scene = generate(specification);
+    std::optional<PreparedScene> prepared;
+    double const build = median_seconds(3, 5, [&] {
+      prepared.reset();
+      prepared.emplace(scene);
+    });
+    for (auto const& place :
+         {Place{"crossing of two streets", 0, 0}, Place{"street", 0, 500}, Place{"open ground", 130, 130}}) {
+      auto const cell = ground_cell(20, place.x, place.y);
+      std::size_t visible = 0;
+      // In turn, so that a machine that slows down slows both.
+      std::vector<double> exact, rounded;
+      for (int i = 0; i < (size == Size::full ? 15 : 1); ++i) {
+        exact.push_back(median_seconds(1, 0, [&] { visible = StrongOcclusion<>()(*prepared, cell).visible.size(); }));
+        rounded.push_back(median_seconds(1, 0, [&] { StrongOcclusion<Double>()(*prepared, cell); }));
+      }
+      std::ranges::sort(exact);
+      std::ranges::sort(rounded);
+      double const e = exact[exact.size() / 2], d = rounded[rounded.size() / 2];
+      table.add({double(scene.boxes.size()), build, place.name, double(visible), 1e3 * e, 1e6 * e / double(visible),
+                 1e3 * d, e / d});
+    }
+  }
+  table.notes = {
+    "Build: convex bodies and hierarchies of the whole scene, once. Streets are endless, so what is visible along",
+    "them grows with the square root of the number of boxes."};
+}
+
+}  // namespace visibility::bench::strong_occlusion
