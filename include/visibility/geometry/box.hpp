@@ -59,9 +59,9 @@ inline bool contains(Box const& box, Point3d const& p)
 /// Rounded squared distance between the boxes; a key for approximate order only, never for a verdict.
 inline double approximate_squared_distance(Box const& a, Box const& b)
 {
-  double const dx = std::max({0.0, a.min.x - b.max.x, b.min.x - a.max.x});
-  double const dy = std::max({0.0, a.min.y - b.max.y, b.min.y - a.max.y});
-  double const dz = std::max({0.0, a.min.z - b.max.z, b.min.z - a.max.z});
+  double const dx = std::max(0.0, std::max(a.min.x - b.max.x, b.min.x - a.max.x));
+  double const dy = std::max(0.0, std::max(a.min.y - b.max.y, b.min.y - a.max.y));
+  double const dz = std::max(0.0, std::max(a.min.z - b.max.z, b.min.z - a.max.z));
   return dx * dx + dy * dy + dz * dz;
 }
 

@@ -21,6 +21,9 @@ public:
     bool is_leaf() const { return count != 0; }
   };
 
+  /// No path is longer: the builder splits at the median from depth 48 on, once more if the tree is carried further.
+  static constexpr int max_depth = 128;
+
   BoundingHierarchy() = default;
   /// O(n log n), binned surface-area heuristic [Wald 2007]. Items are named by their position in `boxes`.
   explicit BoundingHierarchy(std::span<Box const> boxes);
@@ -110,7 +113,6 @@ private:
     return false;
   }
 
-  static constexpr int max_depth = 128;  // the builder splits at the median from depth 48 on, twice if carried further
   std::vector<Node> nodes_;
   std::vector<std::uint32_t> items_;
   std::vector<Box> item_bounds_;

@@ -24,33 +24,29 @@ public:
     if (!meet(bounds_, b)) return true;
     // Exact first and last parameters are now at most 1 and at least 0.
     double first = 0, last = 1;
-    x_.clip(b.min.x - from_.x, b.max.x - from_.x, first, last);
-    y_.clip(b.min.y - from_.y, b.max.y - from_.y, first, last);
-    z_.clip(b.min.z - from_.z, b.max.z - from_.z, first, last);
+    auto const clip = [&](Axis const& axis, double low, double high) {
+      double const s = low * axis.inverse, t = high * axis.inverse;
+      first = std::max(first, std::min(s, t));
+      last = std::min(last, std::max(s, t) + axis.room);
+    };
+    clip(x_, b.min.x - from_.x, b.max.x - from_.x);
+    clip(y_, b.min.y - from_.y, b.max.y - from_.y);
+    clip(z_, b.min.z - from_.z, b.max.z - from_.z);
     return first > last * (1 + 16 * 0x1p-53) + 0x1p-1000;
   }
 
 private:
-  /// One coordinate of the direction.
-  class Axis {
-  public:
+  /// One coordinate of the direction. With room = infinity it constrains nothing: both parameters are 0 (or NaN, which
+  /// the order of arguments of std::max and std::min makes harmless), and the last one is moved out of the way.
+  struct Axis {
+    double inverse = 0, room = HUGE_VAL;
     Axis(double p, double q)
     {
       double const d = q - p, size = std::fabs(d);
       if (!(size >= 0x1p-1021 && size <= 0x1p1021)) return;  // parallel to the planes, or out of the proof's domain
-      inverse_ = 1 / d;
-      room_ = 0;
+      inverse = 1 / d;
+      room = 0;
     }
-    /// Narrows [first, last]; a NaN leaves it as it is.
-    void clip(double low, double high, double& first, double& last) const
-    {
-      double const a = low * inverse_, b = high * inverse_;
-      first = std::max(first, std::min(a, b) - room_);
-      last = std::min(last, std::max(a, b) + room_);
-    }
-
-  private:
-    double inverse_ = 0, room_ = HUGE_VAL;
   };
 
   Point3d from_;

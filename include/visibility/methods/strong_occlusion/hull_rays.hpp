@@ -50,8 +50,22 @@ inline bool may_be_hull_edge(int octant, Point3d const& c, Point3d const& s)
 
 inline void append_box_to_box(Box const& cell, Box const& target, std::vector<Ray>& out)
 {
-  for (int i = 0; i < 8; ++i)
-    if (Ray const r{cell.corner(i), target.corner(i)}; may_be_hull_edge(i, r.from, r.to)) out.push_back(r);
+  // may_be_hull_edge for all octants at once: per axis and side, whether the coordinate is positive or negative there.
+  int positive[3][2], negative[3][2];
+  int axis = 0;
+  for (auto const k : {&Point3d::x, &Point3d::y, &Point3d::z}) {
+    positive[axis][0] = cell.min.*k < target.min.*k;
+    negative[axis][0] = cell.min.*k > target.min.*k;
+    positive[axis][1] = cell.max.*k > target.max.*k;
+    negative[axis][1] = cell.max.*k < target.max.*k;
+    ++axis;
+  }
+  for (int i = 0; i < 8; ++i) {
+    int const x = i & 1, y = i >> 1 & 1, z = i >> 2;
+    int const up = positive[0][x] + positive[1][y] + positive[2][z];
+    int const down = negative[0][x] + negative[1][y] + negative[2][z];
+    if ((up > 0 && down > 0) || up + down == 1) out.push_back({cell.corner(i), target.corner(i)});
+  }
 }
 
 inline void append_box_to_any(Box const& cell, std::span<Point3d const> target, std::vector<Ray>& out)

@@ -34,17 +34,25 @@ public:
   {
   }
 
-  /// Whether one sight line to a vertex of the object is free. Then the object is possibly visible at any granularity:
+  /// Whether a sight line to a vertex of the object is free. Then the object is possibly visible at any granularity:
   /// the vertex belongs to a face that looks towards the cell, or the line would run through the body before it ends.
-  /// Aims at the vertex that is likely to be seen if any is: high up and near.
+  /// Aims at what is likely to be seen if anything is: a high and near vertex of the nearest body, then of the highest.
   bool is_seen(Item object)
   {
     auto const [first, last] = remainder_.bodies_of(object);
-    Item highest = first;
-    for (Item b = first + 1; b < std::min(last, first + most_bodies_compared); ++b)
-      if (remainder_.body_bounds(b).max.z > remainder_.body_bounds(highest).max.z) highest = b;
-    Point3d const target = high_and_near(highest);
-    return !contains(cell_.bounds(), target) && search_.is_free(target);
+    Item nearest = first, highest = first;
+    double distance = HUGE_VAL;
+    for (Item b = first; b < std::min(last, first + most_bodies_compared) && last - first > 1; ++b) {
+      Box const& bounds = remainder_.body_bounds(b);
+      double const d = approximate_squared_distance(cell_.bounds(), bounds);
+      if (d < distance) distance = d, nearest = b;
+      if (bounds.max.z > remainder_.body_bounds(highest).max.z) highest = b;
+    }
+    auto const sees = [&](Item body) {
+      Point3d const target = high_and_near(body);
+      return !contains(cell_.bounds(), target) && search_.is_free(target);
+    };
+    return sees(nearest) || (highest != nearest && sees(highest));
   }
 
   /// Marks bodies found hidden as such.

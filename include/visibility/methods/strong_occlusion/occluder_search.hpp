@@ -119,7 +119,7 @@ private:
     bool up_ = true;
   };
 
-  static constexpr std::size_t cache_size = 8;
+  static constexpr std::size_t cache_size = 4;
 
   ConvexBodies const& bodies() const { return remainder_.scene().bodies(); }
 
@@ -150,15 +150,14 @@ private:
     Ahead const before(shaft_.cell().bounds(), towards);
     BoundingHierarchy const& tree = remainder_.bodies();
     auto const pass = [&](std::uint32_t node) {
-      if (options_.skip_hidden && hidden_nodes_[node]) return false;
       ++counts_.probes;
-      return may_hold(tree.nodes()[node].bounds);
+      return may_hold(tree.nodes()[node].bounds) && !(options_.skip_hidden && hidden_nodes_[node]);
     };
-    stack_.clear();
-    if (!tree.nodes().empty() && pass(0)) stack_.push_back(0);
-    while (!stack_.empty()) {
-      auto const& node = tree.nodes()[stack_.back()];
-      stack_.pop_back();
+    std::array<std::uint32_t, BoundingHierarchy::max_depth + 2> stack;
+    std::size_t top = 0;
+    if (!tree.nodes().empty() && pass(0)) stack[top++] = 0;
+    while (top > 0) {
+      auto const& node = tree.nodes()[stack[--top]];
       if (node.is_leaf()) {
         counts_.probes += node.count;
         for (auto k = node.first; k < node.first + node.count; ++k)
@@ -170,10 +169,10 @@ private:
       bool const left = pass(node.first), right = pass(node.first + 1);
       if (left && right) {
         bool const left_first = before(tree.nodes()[node.first].bounds, tree.nodes()[node.first + 1].bounds);
-        stack_.push_back(node.first + (left_first ? 1 : 0));
-        stack_.push_back(node.first + (left_first ? 0 : 1));
+        stack[top++] = node.first + (left_first ? 1 : 0);
+        stack[top++] = node.first + (left_first ? 0 : 1);
       } else if (left || right) {
-        stack_.push_back(node.first + (left ? 0 : 1));
+        stack[top++] = node.first + (left ? 0 : 1);
       }
     }
     return {};
@@ -215,7 +214,6 @@ private:
   Shaft shaft_;
   std::vector<bool> hidden_nodes_, hidden_bodies_;
   std::vector<Point3d> highest_;  // vertices of the cell
-  std::vector<std::uint32_t> stack_;
   std::array<Item, cache_size> recent_{};
   std::size_t recent_count_ = 0;
   Counts counts_;
