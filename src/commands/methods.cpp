@@ -90,6 +90,7 @@ void MethodArguments::validate() const
   for (auto const& name : without) require_one_of("--without", name, names);
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
+  if (method != "strong-occlusion" && !without.empty()) throw BadInput("--without applies to strong-occlusion only");
   if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
 }
 

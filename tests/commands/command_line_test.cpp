@@ -119,6 +119,45 @@ TEST_CASE("command line: without -o the result goes to standard output; several 
   REQUIRE(std::ranges::includes(results[1].visible, results[0].visible));
 }
 
+TEST_CASE("command line: a region is divided into cells, on one level or from coarse to fine, with the same sets",
+          "[commands]")
+{
+  Folder const folder;
+  std::string const common = "pvs gen:city,n=100 --region=-80,-80,0,80,80,50 ";
+  auto const one = visibility_command(folder, common + "--cell-size 40");
+  auto const two =
+    visibility_command(folder, common + "--cell-size 80 --cell-size 40,40,50 --coarse-granularity object");
+  INFO(one.err << two.err);
+  REQUIRE(one.exit_code == 0);
+  REQUIRE(two.exit_code == 0);
+  auto const direct = results_from_json(one.out, "one"), refined = results_from_json(two.out, "two");
+  REQUIRE(direct.size() == 16);
+  REQUIRE(refined.size() == 16);
+  for (std::size_t i = 0; i < 16; ++i) {
+    REQUIRE(direct[i].cell_box == refined[i].cell_box);
+    REQUIRE(direct[i].visible == refined[i].visible);
+  }
+  auto const many = visibility_command(folder, common + "--cell-size 20 -o " + (folder / "many.json"));
+  REQUIRE(many.exit_code == 0);
+  REQUIRE(many.out.find("cells   64") != std::string::npos);
+}
+
+TEST_CASE("command line: optimizations can be switched off, and are recorded", "[commands]")
+{
+  Folder const folder;
+  std::string const common = "pvs gen:city,n=100 --cell=-30,-30,0,30,30,50 ";
+  auto const all = visibility_command(folder, common),
+             some = visibility_command(folder, common + "--without groups,hull-rays");
+  REQUIRE(all.exit_code == 0);
+  REQUIRE(some.exit_code == 0);
+  auto const with = results_from_json(all.out, "a").front(), without = results_from_json(some.out, "b").front();
+  REQUIRE(with.visible == without.visible);
+  REQUIRE(with.options.at("groups") == "on");
+  REQUIRE(without.options.at("groups") == "off");
+  REQUIRE(without.options.at("cache") == "on");
+  REQUIRE(with.statistics.at("rays") < without.statistics.at("rays"));
+}
+
 TEST_CASE("command line: generate writes what info and pvs read back as the same scene", "[commands]")
 {
   Folder const folder;
@@ -161,6 +200,19 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
                                      "pvs gen:city" + cell + "--method guess",
                                      "pvs gen:city" + cell + "--arithmetic float",
                                      "pvs gen:city" + cell + "--granularity atom",
+                                     "pvs gen:city" + cell + "--coarse-granularity atom",
+                                     "pvs gen:city" + cell + "--without everything",
+                                     "pvs gen:city" + cell + "--method sampling --without groups",
+                                     "pvs gen:city" + cell + "--cell-size 10",
+                                     "pvs gen:city" + cell + "--region 0,0,0,1,1,1 --cell-size 1",
+                                     "pvs gen:city --region 0,0,0,1,1,1",
+                                     "pvs gen:city --region 0,0,0,1,1 --cell-size 1",
+                                     "pvs gen:city --region 0,0,0,1,0,1 --cell-size 1",
+                                     "pvs gen:city --region 0,0,0,1,1,1 --cell-size 0",
+                                     "pvs gen:city --region 0,0,0,1,1,1 --cell-size 1,1",
+                                     "pvs gen:city --region 0,0,0,1,1,1 --cell-size 0.5 --cell-size 1",
+                                     "pvs gen:city --region 0,0,0,1,1,1 --cell-size 0.00001",
+                                     "pvs gen:city --region 0,0,0,9,9,1 --cell-size 9 --cell-size 3 --method sampling",
                                      "pvs gen:city" + cell + "--unknown",
                                      "pvs gen:city" + cell + "--method sampling --rays 0",
                                      "pvs gen:city" + cell + "--method sampling --rays 1.5",
