@@ -105,7 +105,8 @@ std::vector<InnerBody> inner_bodies(Scene const& scene, Object const& object,
     auto prisms = inner_prisms(shell, options);
     for (auto const& k : prisms) {
       if (options.roofs)
-        if (auto body = with_roof(shell, k, prisms)) bodies.push_back({std::move(*body), shell.floor, true});
+        if (auto body = with_roof(shell, k, prisms, options.max_corners))
+          bodies.push_back({std::move(*body), shell.floor, true});
       bodies.push_back({k, shell.floor, true});
     }
   }

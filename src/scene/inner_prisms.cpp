@@ -148,7 +148,7 @@ std::vector<ConvexPrism> inner_prisms(MeshShell const& shell, InnerBodyOptions c
       });
     };
     auto const add = [&](Polygon const& polygon) {
-      auto fitted = fit(shell, polygon, z, slack);
+      auto fitted = fit(shell, plan::with_few_corners(polygon, options.max_corners), z, slack);
       if (fitted) out.push_back(std::move(fitted->body));
       return fitted && fitted->shrunk_by <= good_shrink;
     };

@@ -39,7 +39,7 @@ std::optional<ConvexPolyhedron> fit(MeshShell const& shell, std::vector<Point3d>
 }  // namespace
 
 std::optional<ConvexPolyhedron> with_roof(MeshShell const& shell, ConvexPrism const& prism,
-                                          std::span<ConvexPrism const> others)
+                                          std::span<ConvexPrism const> others, std::size_t most_corners)
 {
   double const size = plan::perimeter(prism.footprint);
   double const high = prism.top + 1e-3 * (prism.top - prism.bottom);  // worth the while
@@ -48,7 +48,7 @@ std::optional<ConvexPolyhedron> with_roof(MeshShell const& shell, ConvexPrism co
   std::size_t const corners = points.size();
   for (auto const& v : shell.vertices)
     if (v.z > high && plan::contains(prism.footprint, {horizontal(v)}, 1e-3 * size)) points.push_back(v);
-  if (points.size() > corners)
+  if (corners < points.size() && points.size() <= corners + most_corners)
     if (auto body = fit(shell, points)) return body;
 
   // Something stands on the roof that no hull can take in: up to the highest section, then.

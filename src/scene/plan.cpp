@@ -4,6 +4,7 @@
 #include "visibility/predicates/orient2d.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <tuple>
 
 namespace visibility::detail::plan {
@@ -99,6 +100,20 @@ Polygon convex_hull(Polygon points)
   for (auto i = points.rbegin() + 1; i != points.rend(); ++i) extend(*i);
   hull.pop_back();
   return hull;
+}
+
+Polygon with_few_corners(Polygon convex, std::size_t most)
+{
+  while (convex.size() > std::max<std::size_t>(most, 3)) {
+    std::size_t const n = convex.size();
+    std::size_t least = 0;
+    double least_loss = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < n; ++i)
+      if (double const loss = turn(convex[(i + n - 1) % n], convex[i], convex[(i + 1) % n]); loss < least_loss)
+        least = i, least_loss = loss;
+    convex.erase(convex.begin() + static_cast<std::ptrdiff_t>(least));
+  }
+  return convex;
 }
 
 Polygon without_straight_corners(Polygon const& polygon, double slack)

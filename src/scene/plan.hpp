@@ -40,6 +40,10 @@ Polygon shrunk(Polygon const& polygon, double by);
 /// Exact: keeps points bit for bit.
 Polygon convex_hull(Polygon points);
 
+/// The convex polygon without the corners that it loses the least area by, until at most `most` are left: a polygon
+/// inside it.
+Polygon with_few_corners(Polygon convex, std::size_t most);
+
 /// Without corners that lie within `slack` of the line between their neighbours.
 Polygon without_straight_corners(Polygon const& polygon, double slack);
 

@@ -28,6 +28,7 @@ struct InnerBodyOptions {
   std::size_t max_triangles = 5'000;  ///< connected meshes with more are skipped
   std::size_t slices = 6;             ///< horizontal sections of a mesh that are tried
   std::size_t pieces_per_slice = 12;  ///< convex polygons tried in a section
+  std::size_t max_corners = 24;       ///< of a prism's footprint; a roof may add as many again
   bool roofs = true;                  ///< try hulls of a prism with what stands on it
 };
 
