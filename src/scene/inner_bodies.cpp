@@ -103,11 +103,12 @@ std::vector<InnerBody> inner_bodies(Scene const& scene, Object const& object,
   for (auto const& shell : mesh_shells(scene, loose_triangles, options.max_triangles)) {
     if (!is_in_domain(shell.bounds)) continue;
     auto prisms = inner_prisms(shell, options);
-    for (auto const& k : prisms) {
-      if (options.roofs)
-        if (auto body = with_roof(shell, k, prisms, options.max_corners))
-          bodies.push_back({std::move(*body), shell.floor, true});
-      bodies.push_back({k, shell.floor, true});
+    std::ranges::stable_sort(prisms, std::greater<>{}, [](ConvexPrism const& k) { return side_view(k); });
+    for (std::size_t i = 0; i < prisms.size(); ++i) {
+      bodies.push_back({prisms[i], shell.floor, true});
+      if (!options.roofs || i >= options.max_bodies) continue;
+      if (auto body = with_roof(shell, prisms[i], prisms, options.max_corners))
+        bodies.push_back({std::move(*body), shell.floor, true});
     }
   }
   return chosen(std::move(bodies), options.max_bodies);

@@ -16,24 +16,32 @@ void append_corners(ConvexPrism const& k, std::vector<Point3d>& out)
     for (double const z : {k.bottom, k.top}) out.push_back({p.x, p.y, z});
 }
 
-/// The certified hull of the points, shrunk towards their mean until it is inside.
-std::optional<ConvexPolyhedron> fit(MeshShell const& shell, std::vector<Point3d> const& points)
+/// The certified hull of the points moved towards their mean by a part of their distance.
+std::optional<ConvexPolyhedron> certified_hull(MeshShell const& shell, std::vector<Point3d> const& points, double by)
 {
   Point3d c{0, 0, 0};
   double const n = static_cast<double>(points.size());
   for (auto const& p : points) c = {c.x + p.x / n, c.y + p.y / n, c.z + p.z / n};
-  for (double const by : {0.0, 1e-7, 1e-4, 1e-3, 1e-2}) {
-    std::vector<Point3d> moved;
-    for (auto const& p : points)
-      moved.push_back({p.x + by * (c.x - p.x), p.y + by * (c.y - p.y), p.z + by * (c.z - p.z)});
-    try {
-      auto body = ConvexPolyhedron::hull(moved);
-      if (is_certified(shell, body)) return body;
-    } catch (std::invalid_argument const&) {
-      return {};  // flat
-    }
+  std::vector<Point3d> moved;
+  for (auto const& p : points)
+    moved.push_back({p.x + by * (c.x - p.x), p.y + by * (c.y - p.y), p.z + by * (c.z - p.z)});
+  try {
+    auto body = ConvexPolyhedron::hull(moved);
+    if (is_certified(shell, body)) return body;
+  } catch (std::invalid_argument const&) {
+    // flat
   }
   return {};
+}
+
+/// The certified hull that is shrunk the least.
+std::optional<ConvexPolyhedron> fit(MeshShell const& shell, std::vector<Point3d> const& points)
+{
+  auto smallest = certified_hull(shell, points, 1e-2);  // most hulls fail for good, and hulls are dear
+  if (!smallest) return {};
+  for (double const by : {0.0, 1e-7, 1e-4, 1e-3})
+    if (auto body = certified_hull(shell, points, by)) return body;
+  return smallest;
 }
 
 }  // namespace

@@ -15,7 +15,10 @@ inline double turn(Point2d const& a, Point2d const& b, Point2d const& c)
 {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
-inline double distance(Point2d const& a, Point2d const& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+inline double distance(Point2d const& a, Point2d const& b)
+{
+  return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
+}
 
 double area(Polygon const& polygon);  ///< signed
 double perimeter(Polygon const& polygon);
