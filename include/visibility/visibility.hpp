@@ -11,6 +11,7 @@
 #include "visibility/kernel/structural_zero.hpp"
 #include "visibility/kernel/tally.hpp"
 
+#include "visibility/predicates/direction_side.hpp"
 #include "visibility/predicates/in_ball.hpp"
 #include "visibility/predicates/line_ball.hpp"
 #include "visibility/predicates/line_side.hpp"
@@ -30,12 +31,15 @@
 #include "visibility/geometry/segment_prism.hpp"
 #include "visibility/geometry/segment_triangle.hpp"
 #include "visibility/geometry/triangle.hpp"
+#include "visibility/geometry/triangle_meets_interior.hpp"
 
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
+#include "visibility/scene/convex_cover.hpp"
 #include "visibility/scene/faces.hpp"
 #include "visibility/scene/footprint.hpp"
 #include "visibility/scene/generators.hpp"
+#include "visibility/scene/inner_bodies.hpp"
 #include "visibility/scene/object.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"

@@ -1,0 +1,313 @@
+#include "visibility/scene/inner_bodies.hpp"
+
+#include "meshes.hpp"
+#include "support/catch.hpp"
+#include "support/trials.hpp"
+
+#include "visibility/geometry/segment_polyhedron.hpp"
+#include "visibility/geometry/segment_prism.hpp"
+#include "visibility/geometry/segment_triangle.hpp"
+
+#include <limits>
+#include <numeric>
+
+using namespace visibility;
+using namespace visibility::test;
+
+namespace {
+
+std::vector<InnerBody> bodies_of(Triangles const& mesh, InnerBodyOptions const& options = {})
+{
+  Scene const scene = scene_of(mesh);
+  std::vector<std::uint32_t> all(scene.triangles.size());
+  std::iota(all.begin(), all.end(), 0u);
+  return inner_bodies(scene, scene.objects[0], all, options);
+}
+
+Box bounds_of(Triangles const& mesh)
+{
+  Box b;
+  for (auto const& t : mesh) b.extend(bounding_box(t));
+  return b;
+}
+
+std::vector<Point3d> corners(InnerBody const& k)
+{
+  if (auto const* body = std::get_if<ConvexPolyhedron>(&k.shape)) return body->vertices;
+  std::vector<Point3d> out;
+  auto const& prism = std::get<ConvexPrism>(k.shape);
+  for (auto const& p : prism.footprint)
+    for (double const z : {prism.bottom, prism.top}) out.push_back(lifted(p, z));
+  return out;
+}
+
+double volume(InnerBody const& k)
+{
+  auto const body = ConvexPolyhedron::hull(corners(k));
+  double sum = 0;
+  Point3d const& o = body.vertices[0];
+  for (auto const& f : body.facets) {
+    Point3d v[3];
+    for (std::size_t i = 0; i < 3; ++i) {
+      Point3d const& p = body.vertices[f.vertices[i]];
+      v[i] = {p.x - o.x, p.y - o.y, p.z - o.z};
+    }
+    sum += v[0].x * (v[1].y * v[2].z - v[1].z * v[2].y) + v[0].y * (v[1].z * v[2].x - v[1].x * v[2].z) +
+           v[0].z * (v[1].x * v[2].y - v[1].y * v[2].x);
+  }
+  return sum / 6;
+}
+
+double largest_volume(std::vector<InnerBody> const& bodies)
+{
+  double v = 0;
+  for (auto const& k : bodies) v = std::max(v, volume(k));
+  return v;
+}
+
+bool blocks(InnerBody const& k, Point3d const& p, Point3d const& s)
+{
+  return std::visit([&](auto const& shape) { return segment_meets<Rational, End::excluded>(shape, p, s); }, k.shape);
+}
+
+bool blocks(Triangles const& mesh, Point3d const& p, Point3d const& s)
+{
+  return std::ranges::any_of(mesh, [&](Triangle const& t) { return segment_meets<Rational, End::excluded>(t, p, s); });
+}
+
+/// a + t (b - a), rounded.
+Point3d between(Point3d const& a, Point3d const& b, double t)
+{
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
+}
+
+/// The end of a sight line from p that just meets, just misses, touches or ends on the body.
+Point3d target(std::vector<Point3d> const& v, Point3d const& p, Box const& around, Random& random)
+{
+  auto const any = [&] { return v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))]; };
+  auto const anywhere = [&] {
+    return Point3d{random.uniform(around.min.x, around.max.x), random.uniform(around.min.y, around.max.y),
+                   random.uniform(around.min.z, around.max.z)};
+  };
+  switch (random.below(7)) {
+  case 0: return any();                                 // ends in a corner
+  case 1: return between(p, any(), 2);                  // through a corner
+  case 2: return between(any(), any(), random.unit());  // ends on an edge or inside
+  case 3: return between(p, between(any(), any(), random.unit()), random.uniform(1, 3));
+  case 4: return between(p, between(any(), any(), random.unit()), 1 + 0x1p-40);  // just through an edge
+  case 5: return between(any(), anywhere(), 1e-9);
+  default: return anywhere();
+  }
+}
+
+struct Reached {
+  int meshes = 0, bodies = 0, hulls = 0, lines = 0, blocked = 0;
+};
+
+/// The promise of an inner body, on random half-open sight lines from outside the mesh's box and above the floor.
+void check_promise(Triangles const& mesh, Random& random, int lines, Reached& reached)
+{
+  Box const bounds = bounds_of(mesh);
+  double const dx = bounds.max.x - bounds.min.x, dy = bounds.max.y - bounds.min.y, dz = bounds.max.z - bounds.min.z;
+  Box const around{{bounds.min.x - dx, bounds.min.y - dy, bounds.min.z - dz},
+                   {bounds.max.x + dx, bounds.max.y + dy, bounds.max.z + dz}};
+  ++reached.meshes;
+  for (auto const& k : bodies_of(mesh)) {
+    ++reached.bodies;
+    reached.hulls += std::holds_alternative<ConvexPolyhedron>(k.shape);
+    std::visit([](auto const& shape) { shape.validate(); }, k.shape);
+    REQUIRE(k.needs_outside);
+    auto const v = corners(k);
+    for (auto const& p : v) REQUIRE(contains(bounds, p));
+    REQUIRE(bounding_box(k).min.z >= k.floor);
+    for (int i = 0; i < lines; ++i) {
+      Point3d p{random.uniform(around.min.x, around.max.x), random.uniform(around.min.y, around.max.y),
+                random.uniform(around.min.z, around.max.z)};
+      if (random.chance(0.2)) {  // along an edge or a diagonal of the body
+        auto const any = [&] { return v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))]; };
+        p = between(any(), any(), 8);
+      }
+      if (random.chance(0.3)) p.z = v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))].z;
+      if (contains(bounds, p) || !(p.z > k.floor)) continue;
+      Point3d const s = target(v, p, around, random);
+      if (p == s) continue;
+      ++reached.lines;
+      if (!blocks(k, p, s)) continue;
+      ++reached.blocked;
+      CAPTURE(p.x, p.y, p.z, s.x, s.y, s.z, k.floor);
+      REQUIRE(blocks(mesh, p, s));
+    }
+  }
+}
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+TEST_CASE("inner bodies: what an inner body blocks, the mesh blocks", "[scene][law][conservative]")
+{
+  Random random(81);
+  Reached reached;
+  for (int i = 0; i < trials(48); ++i) {
+    CAPTURE(i);
+    Ring ring = plan_of(random.below(plan_kinds));
+    if (random.chance(0.6))
+      ring = turned(ring, random.uniform(0, 6), random.uniform(-1e3, 1e3), random.uniform(-1e3, 1e3));
+    Triangles mesh;
+    switch (i % 8) {
+    case 0: mesh = extrusion(ring, random.uniform(-2, 2), random.uniform(5, 30)); break;
+    case 1: mesh = gabled_house(random, 0); break;
+    case 2: mesh = gabled_house(random, 0.01); break;
+    case 3: mesh = dented_box(random, random.between(1, 4)); break;
+    case 4: mesh = twisted(plan_of(random.below(plan_kinds)), random.uniform(0.1, 1.5)); break;
+    case 5:  // interpenetrating; the smaller one also hangs in the air
+      mesh = extrusion(ring, 0, 10);
+      append(mesh, extrusion(ring, random.between(2, 12), 20));
+      break;
+    case 6: {  // open at the bottom
+      mesh = extrusion(ring, 1, 12);
+      std::erase_if(mesh, [](Triangle const& t) { return bounding_box(t).max.z == 1; });
+      break;
+    }
+    case 7: {  // two storeys of different plan whose edges do not fit
+      mesh = extrusion(plan_of(0), 0, 8);
+      append(mesh, extrusion({{2, 0}, {8, 0}, {8, 20}, {2, 20}}, 8, 20));
+      break;
+    }
+    }
+    shuffle(mesh, random);
+    check_promise(mesh, random, 40, reached);
+  }
+  CAPTURE(reached.meshes, reached.bodies, reached.hulls, reached.lines, reached.blocked);
+  REQUIRE(reached.bodies > 2 * reached.meshes);
+  REQUIRE(reached.hulls > reached.meshes / 4);
+  REQUIRE(reached.blocked > reached.lines / 4);
+  REQUIRE(reached.lines - reached.blocked > reached.lines / 10);
+}
+
+TEST_CASE("inner bodies: an L gives its two bars, exactly", "[scene]")
+{
+  auto const bodies = bodies_of(extrusion(plan_of(0), 0, 10));
+  REQUIRE(bodies.size() >= 2);
+  auto const has = [&](Box const& bar) {
+    return std::ranges::any_of(bodies, [&](InnerBody const& k) {
+      auto const* prism = std::get_if<ConvexPrism>(&k.shape);
+      return prism != nullptr && prism->footprint.size() == 4 && bounding_box(*prism) == bar;
+    });
+  };
+  CHECK(has({{0, 0, 0}, {20, 8, 10}}));
+  CHECK(has({{0, 0, 0}, {8, 20, 10}}));
+  for (auto const& k : bodies) CHECK(k.floor == -infinity);
+}
+
+TEST_CASE("inner bodies: a house with a roof is one body, up to its noise", "[scene]")
+{
+  for (int seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    double const noise = seed % 2 == 0 ? 0 : 0.005;
+    Random random(static_cast<std::uint64_t>(seed));
+    auto const house = gabled_house(random, noise);
+    std::vector<Point3d> points;
+    for (auto const& t : house) points.insert(points.end(), t.vertices.begin(), t.vertices.end());
+    double const whole = volume({ConvexPolyhedron::hull(points), 0, true});
+    auto const bodies = bodies_of(house);
+    CHECK(largest_volume(bodies) > (noise == 0 ? 0.999 : 0.95) * whole);
+  }
+}
+
+TEST_CASE("inner bodies: without a wall triangle there are none", "[scene][degenerate]")
+{
+  Random random(82);
+  for (int kind = 0; kind < plan_kinds; ++kind) {
+    Ring const ring = turned(plan_of(kind), 0.3 * kind, 0, 0);
+    auto const whole = extrusion(ring, 0, 10);
+    REQUIRE_FALSE(bodies_of(whole).empty());
+    for (int i = 0; i < 6; ++i) {
+      Triangles broken = whole;
+      // Walls come in pairs, the second one with the upper edge; the first one still has a vertex at the top.
+      broken.erase(broken.begin() + random.below(static_cast<int>(2 * ring.size())));
+      shuffle(broken, random);
+      CHECK(bodies_of(broken).empty());
+    }
+  }
+}
+
+TEST_CASE("inner bodies: a crack of one unit in the last place is a crack", "[scene][degenerate]")
+{
+  auto mesh = extrusion(plan_of(1), 0, 10);
+  auto& corner = mesh[1].vertices[2];
+  REQUIRE(corner.z == 10);
+  corner.x = std::nextafter(corner.x, 1e9);
+  CHECK(bodies_of(mesh).empty());
+}
+
+TEST_CASE("inner bodies: an open bottom sets the floor", "[scene]")
+{
+  auto mesh = extrusion(plan_of(2), 3, 10);
+  std::erase_if(mesh, [](Triangle const& t) { return bounding_box(t).max.z == 3; });
+  auto const bodies = bodies_of(mesh);
+  REQUIRE_FALSE(bodies.empty());
+  for (auto const& k : bodies) {
+    CHECK(k.floor == 3);
+    CHECK(bounding_box(k).min.z >= 3);
+  }
+  // A sight line from below the floor may enter through the opening: the floor is not decoration.
+  CHECK(blocks(bodies[0], {12, 3, -5}, {12, 3, 5}));
+  CHECK_FALSE(blocks(mesh, {12, 3, -5}, {12, 3, 5}));
+}
+
+TEST_CASE("inner bodies: above a damaged storey the next one still counts", "[scene]")
+{
+  auto mesh = extrusion(plan_of(0), 0, 8);
+  std::erase_if(mesh, [](Triangle const& t) { return bounding_box(t).min.z == 8; });  // no roof
+  mesh.erase(mesh.begin());                                                           // and a hole in the wall
+  auto storey = extrusion(plan_of(0), 8, 20);
+  std::erase_if(storey, [](Triangle const& t) { return bounding_box(t).max.z == 8; });
+  append(mesh, storey);
+  auto const bodies = bodies_of(mesh);
+  REQUIRE_FALSE(bodies.empty());
+  for (auto const& k : bodies) CHECK(k.floor == 8);
+}
+
+TEST_CASE("inner bodies: edges that fit only after cutting are closed", "[scene][degenerate]")
+{
+  // One wall of a notched box is split at half its height, its neighbours are not: a T-junction on two vertical edges.
+  auto mesh = extrusion(plan_of(0), 0, 10);
+  mesh.erase(mesh.begin(), mesh.begin() + 2);
+  for (double const z : {0.0, 5.0}) add_quad(mesh, {0, 0, z}, {20, 0, z}, {20, 0, z + 5}, {0, 0, z + 5});
+  auto const bodies = bodies_of(mesh);
+  REQUIRE_FALSE(bodies.empty());
+  for (auto const& k : bodies) CHECK(k.floor == -infinity);
+  Random random(83);
+  Reached reached;
+  check_promise(mesh, random, 100, reached);
+  // Off the edge by one unit it is open.
+  auto open = mesh;
+  for (auto& t : open)
+    for (auto& p : t.vertices)
+      if (p.z == 5 && p.x == 20) p.x = std::nextafter(20, 30);
+  CHECK(bodies_of(open).empty());
+}
+
+TEST_CASE("inner bodies: triangles count modulo 2", "[scene][degenerate]")
+{
+  auto const once = extrusion(plan_of(3), 0, 10);
+  auto twice = once;
+  append(twice, once);
+  auto thrice = twice;
+  append(thrice, once);
+  CHECK(bodies_of(twice).empty());
+  CHECK(bodies_of(thrice).size() == bodies_of(once).size());
+}
+
+TEST_CASE("inner bodies: options bound the cost", "[scene]")
+{
+  auto const mesh = extrusion(plan_of(4), 0, 10);
+  REQUIRE(bodies_of(mesh).size() > 1);
+  CHECK(bodies_of(mesh, {.max_bodies = 1}).size() == 1);
+  CHECK(bodies_of(mesh, {.max_bodies = 0}).empty());
+  CHECK(bodies_of(mesh, {.max_triangles = mesh.size() - 1}).empty());
+  CHECK(bodies_of(mesh, {.slices = 0}).empty());
+  Scene const scene = scene_of(mesh);
+  CHECK(inner_bodies(scene, scene.objects[0], {}).empty());  // no loose triangles
+}
