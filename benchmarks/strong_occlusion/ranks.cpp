@@ -41,9 +41,7 @@ std::size_t rank_of_strong_occluder(PreparedScene const& scene, ViewCell const& 
   Counts counts;
   for (std::size_t i = 0; i < met.size(); ++i) {
     auto const b = met[i].second;
-    if (visibility::strong_occlusion::blocks_all<Filtered>(scene.bodies(), scene.bodies().bodies()[b],
-                                                           scene.bodies().bounds()[b], shaft, counts))
-      return i + 1;
+    if (visibility::strong_occlusion::blocks_all<Filtered>(scene.occluders(), b, shaft, counts)) return i + 1;
   }
   return 0;
 }

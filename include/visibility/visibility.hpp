@@ -41,6 +41,7 @@
 #include "visibility/scene/generators.hpp"
 #include "visibility/scene/inner_bodies.hpp"
 #include "visibility/scene/object.hpp"
+#include "visibility/scene/occluders.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/read_scene.hpp"

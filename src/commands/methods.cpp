@@ -69,6 +69,8 @@ void MethodArguments::add_to(CLI::App& command)
   command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
                      "strong-occlusion: the same for all but the smallest --cell-size (default part)");
+  command.add_flag("--no-inner-bodies", no_inner_bodies,
+                   "strong-occlusion: do not look for convex occluders inside non-convex objects");
   std::string names;
   for (auto const& [name, optimization] : optimizations()) names += (names.empty() ? "" : ", ") + name;
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
@@ -94,11 +96,20 @@ void MethodArguments::validate() const
   if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
 }
 
+void MethodArguments::prepare(std::optional<PreparedScene>& prepared, Scene const& scene) const
+{
+  if (method == "strong-occlusion" && !no_inner_bodies)
+    prepared.emplace(scene, InnerBodyOptions{});
+  else
+    prepared.emplace(scene);
+}
+
 std::map<std::string, std::string> MethodArguments::options() const
 {
   if (method == "sampling")
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
-  std::map<std::string, std::string> out{{"granularity", granularity}};
+  std::map<std::string, std::string> out{{"granularity", granularity},
+                                         {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
   for (auto const& [name, optimization] : optimizations()) out[name] = options.*optimization ? "on" : "off";
   return out;

@@ -26,6 +26,7 @@ struct MethodArguments {
   std::string arithmetic = "filtered";
   std::string granularity = "face";
   std::string coarse_granularity = "part";
+  bool no_inner_bodies = false;
   std::vector<std::string> without;  ///< optimizations of strong occlusion that are switched off
   std::uint64_t rays = 1'000'000;
   double seconds = 0;
@@ -34,6 +35,8 @@ struct MethodArguments {
   void add_to(CLI::App& command);
   /// Throws BadInput for a method, arithmetic or option value that does not exist.
   void validate() const;
+  /// What the method needs of the scene.
+  void prepare(std::optional<PreparedScene>& prepared, Scene const& scene) const;
   /// The options that matter to the method, as text for the result file.
   std::map<std::string, std::string> options() const;
 };

@@ -141,7 +141,9 @@ void run(Arguments const& a)
   Scene const scene = a.scene.load();
   double const read = seconds_since(start);
   start = std::chrono::steady_clock::now();
-  PreparedScene const prepared(scene);
+  std::optional<PreparedScene> prepared_scene;
+  a.method.prepare(prepared_scene, scene);
+  PreparedScene const& prepared = *prepared_scene;
   MethodRunner const method(a.method, prepared);
   double const build = seconds_since(start);
 

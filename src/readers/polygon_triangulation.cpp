@@ -1,5 +1,7 @@
 #include "polygon_triangulation.hpp"
 
+#include "geometry/canonical_delaunay.hpp"
+
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/predicates/orient2d.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -149,6 +151,7 @@ bool insert(Cdt& cdt, Projection const& at, Rings rings, EdgeParity& parity)
   for (auto const& loop : loops)
     for (std::size_t i = 0; i < loop.size(); ++i)
       if (!toggle_along(cdt, loop[i], loop[(i + 1) % loop.size()], parity)) return false;
+  visibility::detail::canonicalize(cdt);
   mark_sides(cdt, parity);
   return true;
 }
@@ -176,6 +179,8 @@ bool triangulate_along(Projection const& at, Rings rings, std::vector<IndexTrian
   for (auto const f : cdt.finite_face_handles())
     if (f->info() == Side::inside)
       triangles.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+  for (auto& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  std::ranges::sort(triangles);
   if (triangles.empty() || !area_agrees(at, rings, triangles)) return false;
   if (CGAL::sign(doubled_area(at, rings[0])) == CGAL::NEGATIVE)
     for (auto& t : triangles) std::swap(t[1], t[2]);

@@ -1,5 +1,7 @@
 #include "visibility/scene/footprint.hpp"
 
+#include "geometry/canonical_delaunay.hpp"
+
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/predicates/orient2d.hpp"
 
@@ -93,8 +95,9 @@ bool area_agrees(std::vector<Loop> const& rings, std::vector<Loop> const& pieces
   return CGAL::is_zero(sum);
 }
 
-/// The union of two convex loops that share the edge a -> b of `left` (b -> a of `right`), if it is convex.
-bool join(Loop const& left, Loop const& right, Point2d const& a, Point2d const& b, Loop& out)
+/// The union of two convex loops that share the edge a -> b of `left` (b -> a of `right`), if it is convex; `strictly`:
+/// and has a corner at a and b.
+bool join(Loop const& left, Loop const& right, Point2d const& a, Point2d const& b, bool strictly, Loop& out)
 {
   auto const start_at = [](Loop const& loop, Point2d const& p) {
     return static_cast<std::size_t>(std::ranges::find(loop, p) - loop.begin());
@@ -107,11 +110,12 @@ bool join(Loop const& left, Loop const& right, Point2d const& a, Point2d const& 
   for (std::size_t i = 0; i + 1 < left.size(); ++i) out.push_back(left[(l + i) % left.size()]);
   for (std::size_t i = 0; i + 1 < right.size(); ++i) out.push_back(right[(r + i) % right.size()]);
   // Only the turns at a and b are new; a is out[left.size() - 1], b is out[0].
-  auto const turns_right = [&](std::size_t i) {
+  auto const fits = [&](std::size_t i) {
     std::size_t const n = out.size();
-    return is_negative(orient2d<Filtered>(out[(i + n - 1) % n], out[i], out[(i + 1) % n]));
+    Sign const turn = orient2d<Filtered>(out[(i + n - 1) % n], out[i], out[(i + 1) % n]);
+    return is_positive(turn) || (!strictly && is_zero(turn));
   };
-  return !turns_right(0) && !turns_right(left.size() - 1);
+  return fits(0) && fits(left.size() - 1);
 }
 
 }  // namespace
@@ -132,6 +136,7 @@ std::vector<ConvexPrism> convex_partition(Prism const& prism)
   for (auto const& ring : prism.rings)
     if (!insert(cdt, ring)) return {};
   if (cdt.dimension() < 2) return {};
+  detail::canonicalize(cdt);
   mark_depths(cdt);
 
   std::vector<Loop> pieces;
@@ -150,6 +155,12 @@ std::vector<ConvexPrism> convex_partition(Prism const& prism)
     if (!cdt.is_constrained(e) && e.first->info().piece >= 0 && g->info().piece >= 0) diagonals.push_back(e);
   }
 
+  // In an order that the input determines.
+  std::ranges::sort(diagonals, {}, [](Cdt::Edge const& e) {
+    auto const &a = e.first->vertex(Cdt::ccw(e.second))->point(), &b = e.first->vertex(Cdt::cw(e.second))->point();
+    return std::minmax({std::pair(a.x(), a.y()), std::pair(b.x(), b.y())});
+  });
+
   // Hertel and Mehlhorn: remove a diagonal wherever the union of its two pieces stays convex.
   std::vector<int> parent(pieces.size());
   for (std::size_t i = 0; i < parent.size(); ++i) parent[i] = static_cast<int>(i);
@@ -157,19 +168,26 @@ std::vector<ConvexPrism> convex_partition(Prism const& prism)
     while (parent[static_cast<std::size_t>(i)] != i) i = parent[static_cast<std::size_t>(i)];
     return static_cast<std::size_t>(i);
   };
+  // Straight angles come last: at a reflex corner they leave the other pieces nothing to join with.
   Loop joined;
-  for (auto const& [f, i] : diagonals) {
-    auto const left = find(f->info().piece), right = find(f->neighbor(i)->info().piece);
-    if (left == right) continue;
-    auto const point = [&f = f](int k) { return Point2d{f->vertex(k)->point().x(), f->vertex(k)->point().y()}; };
-    if (!join(pieces[left], pieces[right], point(Cdt::ccw(i)), point(Cdt::cw(i)), joined)) continue;
-    pieces[left] = joined;
-    pieces[right].clear();
-    parent[right] = static_cast<int>(left);
-  }
+  for (bool const strictly : {true, false})
+    for (auto const& [f, i] : diagonals) {
+      auto const left = find(f->info().piece), right = find(f->neighbor(i)->info().piece);
+      if (left == right) continue;
+      auto const point = [&f = f](int k) { return Point2d{f->vertex(k)->point().x(), f->vertex(k)->point().y()}; };
+      if (!join(pieces[left], pieces[right], point(Cdt::ccw(i)), point(Cdt::cw(i)), strictly, joined)) continue;
+      pieces[left] = joined;
+      pieces[right].clear();
+      parent[right] = static_cast<int>(left);
+    }
+  std::erase_if(pieces, [](Loop const& loop) { return loop.empty(); });
+  auto const less = [](Point2d const& a, Point2d const& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); };
+  for (auto& loop : pieces) std::ranges::rotate(loop, std::ranges::min_element(loop, less));
+  std::ranges::sort(pieces, [&](Loop const& a, Loop const& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), less);
+  });
   std::vector<ConvexPrism> out;
-  for (auto& loop : pieces)
-    if (!loop.empty()) out.push_back({std::move(loop), prism.bottom, prism.top});
+  for (auto& loop : pieces) out.push_back({std::move(loop), prism.bottom, prism.top});
   return out;
 }
 

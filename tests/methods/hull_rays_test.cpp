@@ -60,6 +60,7 @@ TEST_CASE("hull rays: a body blocks the rays along hull edges iff it blocks all"
     if (!certainly_disjoint(cell, target.bounds)) continue;
     Scene const scene = grid_scene(random, 6, -9, 9, Mix::all);
     ConvexBodies const bodies(scene);
+    Occluders const occluders(bodies);
     Shaft all(cell, Shaft::Rays::all, Shaft::Culling::all_rays),
       hull(cell, Shaft::Rays::hull_edges, Shaft::Culling::all_rays);
     all.aim(target);
@@ -73,8 +74,8 @@ TEST_CASE("hull rays: a body blocks the rays along hull edges iff it blocks all"
       bool const truth = std::ranges::all_of(all.rays(), [&](Ray const& r) {
         return segment_meets<Rational, End::excluded>(bodies, bodies.bodies()[b], exact(r.from), exact(r.to));
       });
-      REQUIRE(blocks_all<Filtered>(bodies, bodies.bodies()[b], bodies.bounds()[b], all, counts) == truth);
-      REQUIRE(blocks_all<Filtered>(bodies, bodies.bodies()[b], bodies.bounds()[b], hull, counts) == truth);
+      REQUIRE(blocks_all<Filtered>(occluders, std::uint32_t(b), all, counts) == truth);
+      REQUIRE(blocks_all<Filtered>(occluders, std::uint32_t(b), hull, counts) == truth);
       // Culling keeps what blocks.
       if (truth) {
         REQUIRE(all.may_block_all(bodies.bounds()[b]));
@@ -115,6 +116,7 @@ TEST_CASE("hull rays: they do not decide for a body that touches the cell or the
     builder.add(plate);
     Scene const scene = builder.finish();
     ConvexBodies const bodies(scene);
+    Occluders const occluders(bodies);
     ViewCell const cell(from);
     BoxTarget const target(to);
     Shaft shaft(cell, Shaft::Rays::hull_edges, Shaft::Culling::all_rays);
@@ -122,7 +124,7 @@ TEST_CASE("hull rays: they do not decide for a body that touches the cell or the
     for (auto const& r : shaft.rays())
       REQUIRE(segment_meets<Rational, End::excluded>(plate, exact(r.from), exact(r.to)));
     Counts counts;
-    REQUIRE_FALSE(blocks_all<Filtered>(bodies, bodies.bodies()[0], bodies.bounds()[0], shaft, counts));
+    REQUIRE_FALSE(blocks_all<Filtered>(occluders, 0, shaft, counts));
   };
   Box const plate{{0.5, -9, -9}, {0.75, 9, 9}};
   check(small, large, plate);

@@ -84,3 +84,33 @@ TEST_CASE("convex partition: what is not a polygon with holes is not taken for s
   REQUIRE(pieces({square, {{0, 0}, {1, 1}, {1, 2}}}) > 0);  // hole touches in a point: fine
   REQUIRE(convex_partition({{square}, 1, 1}).empty());
 }
+
+TEST_CASE("footprint: the partition depends neither on where the ring starts nor on what the heap looks like",
+          "[scene][law][degenerate]")
+{
+  // Corners on circles, of which every diagonal is as good as another: a comb of squares, a regular octagon on the
+  // grid.
+  Ring comb;
+  for (int i = 0; i < 6; ++i)
+    for (auto const& p : {Point2d{2.0 * i, 1}, Point2d{2.0 * i, 2}, Point2d{2.0 * i + 1, 2}, Point2d{2.0 * i + 1, 1}})
+      comb.push_back(p);
+  comb.push_back({11, 0});
+  comb.push_back({0, 0});
+  Ring const octagon{{3, 0}, {7, 0}, {10, 3}, {10, 7}, {7, 10}, {3, 10}, {0, 7}, {0, 3}, {4, 5}};
+  for (Ring ring : {comb, octagon}) {
+    auto const footprints = [&] {
+      std::vector<std::vector<Point2d>> out;
+      for (auto& piece : convex_partition({{ring}, 0, 1})) out.push_back(piece.footprint);
+      return out;
+    };
+    auto const expected = footprints();
+    REQUIRE(expected.size() > 1);
+    std::vector<std::vector<char>> litter;
+    for (std::size_t i = 0; i < 40; ++i) {
+      for (std::size_t k = 0; k < 20; ++k) litter.emplace_back(64 + 48 * ((i * 7 + k * 13) % 29));
+      if (i % 3 == 0) litter.erase(litter.begin(), litter.begin() + static_cast<std::ptrdiff_t>(litter.size() / 2));
+      std::ranges::rotate(ring, ring.begin() + 1);
+      REQUIRE(footprints() == expected);
+    }
+  }
+}

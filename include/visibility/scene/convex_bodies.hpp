@@ -64,19 +64,26 @@ private:
   std::size_t invalid_footprints_ = 0;
 };
 
+/// Calls f(shape) with the body's Box, Ball, ConvexPrism, ConvexPolyhedron or Triangle; returns what f does.
+template <class F>
+auto visit_shape(ConvexBodies const& scene, ConvexBodies::Body const& body, F&& f)
+{
+  using Kind = ConvexBodies::Kind;
+  switch (body.kind) {
+  case Kind::box: return f(scene.box(body));
+  case Kind::ball: return f(scene.ball(body));
+  case Kind::prism: return f(scene.prism(body));
+  case Kind::polyhedron: return f(scene.polyhedron(body));
+  case Kind::triangle: break;
+  }
+  return f(scene.triangle(body));
+}
+
 /// Whether the segment from p to q meets the closed body. Requires: p != q. Exact.
 template <Arithmetic A, End end = End::included, class NT>
 bool segment_meets(ConvexBodies const& scene, ConvexBodies::Body const& body, Point3<NT> const& p, Point3<NT> const& q)
 {
-  using Kind = ConvexBodies::Kind;
-  switch (body.kind) {
-  case Kind::box: return segment_meets<A, end>(scene.box(body), p, q);
-  case Kind::ball: return segment_meets<A, end>(scene.ball(body), p, q);
-  case Kind::prism: return segment_meets<A, end>(scene.prism(body), p, q);
-  case Kind::polyhedron: return segment_meets<A, end>(scene.polyhedron(body), p, q);
-  case Kind::triangle: return segment_meets<A, end>(scene.triangle(body), p, q);
-  }
-  return false;
+  return visit_shape(scene, body, [&](auto const& shape) { return segment_meets<A, end>(shape, p, q); });
 }
 
 }  // namespace visibility

@@ -50,7 +50,7 @@ Remainder left_over(OccluderSearch<A> const& search, Remainder const& remainder,
     [&](Remainder::Item o) {
       kept.push_back({o, !is_visible[o]});
     });
-  return remainder.keep(kept, [&](Remainder::Item body) { return search.is_hidden_body(body); });
+  return remainder.keep(kept, [&](Remainder::Item occluder) { return search.is_hidden(occluder); });
 }
 
 template <Arithmetic A>

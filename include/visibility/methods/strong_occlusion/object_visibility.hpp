@@ -39,14 +39,15 @@ public:
   /// Aims at what is likely to be seen if anything is: a high and near vertex of the nearest body, then of the highest.
   bool is_seen(Item object)
   {
-    auto const [first, last] = remainder_.bodies_of(object);
+    auto const [first, last] = remainder_.occluders_of(object);
     Item nearest = first, highest = first;
     double distance = HUGE_VAL;
     for (Item b = first; b < std::min(last, first + most_bodies_compared) && last - first > 1; ++b) {
-      Box const& bounds = remainder_.body_bounds(b);
+      if (remainder_.body(b) == nullptr) break;
+      Box const& bounds = remainder_.bounds(b);
       double const d = approximate_squared_distance(cell_.bounds(), bounds);
       if (d < distance) distance = d, nearest = b;
-      if (bounds.max.z > remainder_.body_bounds(highest).max.z) highest = b;
+      if (bounds.max.z > remainder_.bounds(highest).max.z) highest = b;
     }
     auto const sees = [&](Item body) {
       Point3d const target = high_and_near(body);
@@ -59,26 +60,27 @@ public:
   bool operator()(Item object)
   {
     Box const& box = remainder_.scene().object_bounds()[remainder_.object(object)];
-    auto const [first, last] = remainder_.bodies_of(object);
+    auto const [first, last] = remainder_.occluders_of(object);
     bool const disjoint = certainly_disjoint(cell_, box);
     if (disjoint && search_.find(BoxTarget(box).target())) {
-      for (Item b = first; b < last; ++b) search_.hide_body(b);
+      for (Item b = first; b < last; ++b) search_.hide(b);
       return false;
     }
     if (granularity_ == Granularity::object) return true;
-    for (Item b = first; b < last; ++b) {
-      bool const same_box = disjoint && is_box(b) && remainder_.body_bounds(b) == box;
+    for (Item b = first; b < last && remainder_.body(b) != nullptr; ++b) {
+      bool const same_box = disjoint && is_box(b) && remainder_.bounds(b) == box;
       if (body(b, same_box)) return true;
     }
     return false;
   }
 
-  /// The same for one body. `box_was_tested`: no strong occluder was found for its bounding box, and that is its hull.
+  /// The same for one body of the object. `box_was_tested`: no strong occluder was found for its bounding box, and that
+  /// is its hull.
   bool body(Item item, bool box_was_tested)
   {
-    if (!certainly_disjoint(cell_, remainder_.body_bounds(item))) return true;
+    if (!certainly_disjoint(cell_, remainder_.bounds(item))) return true;
     if (!box_was_tested && whole_body_is_hidden(item)) {
-      search_.hide_body(item);
+      search_.hide(item);
       return false;
     }
     if (granularity_ < Granularity::face) return true;
@@ -93,13 +95,13 @@ private:
   using Kind = ConvexBodies::Kind;
 
   ConvexBodies const& bodies() const { return remainder_.scene().bodies(); }
-  ConvexBodies::Body const& of(Item item) const { return bodies().bodies()[remainder_.body(item)]; }
+  ConvexBodies::Body const& of(Item item) const { return *remainder_.body(item); }
   bool is_box(Item item) const { return of(item).kind == Kind::box || of(item).kind == Kind::ball; }
 
   /// Of the highest vertices of the body, or of its bounding box, that nearest to the cell.
   Point3d high_and_near(Item item)
   {
-    Box const &b = remainder_.body_bounds(item), &c = cell_.bounds();
+    Box const &b = remainder_.bounds(item), &c = cell_.bounds();
     if (is_box(item))
       return {b.min.x + b.max.x > c.min.x + c.max.x ? b.min.x : b.max.x,
               b.min.y + b.max.y > c.min.y + c.max.y ? b.min.y : b.max.y, b.max.z};
@@ -112,7 +114,7 @@ private:
 
   bool whole_body_is_hidden(Item item)
   {
-    if (is_box(item)) return search_.find(BoxTarget(remainder_.body_bounds(item)).target()).has_value();
+    if (is_box(item)) return search_.find(BoxTarget(remainder_.bounds(item)).target()).has_value();
     vertices_.clear();
     bodies().append_vertices(of(item), vertices_);
     return search_.find(target_of(vertices_)).has_value();

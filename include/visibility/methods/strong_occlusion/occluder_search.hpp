@@ -23,7 +23,7 @@ public:
     : remainder_(remainder), options_(options),
       shaft_(cell, options.hull_rays ? Shaft::Rays::hull_edges : Shaft::Rays::all,
              options.shaft ? Shaft::Culling::all_rays : Shaft::Culling::leading_ray),
-      hidden_nodes_(remainder.bodies().nodes().size()), hidden_bodies_(remainder.bodies().items().size())
+      hidden_nodes_(remainder.occluders().nodes().size()), hidden_(remainder.occluders().items().size())
   {
     std::ranges::copy_if(cell.vertices(), std::back_inserter(highest_),
                          [&](Point3d const& v) { return v.z == cell.bounds().max.z; });
@@ -35,8 +35,8 @@ public:
     exhaustive  ///< all; nothing found means that there is none
   };
 
-  /// A body, as an item of the remainder, that blocks every sight line from the cell to the target, if there is one.
-  /// Requires: the target shares no point with the cell.
+  /// An occluder, as an item of the remainder, that blocks every sight line from the cell to the target, if there is
+  /// one. Requires: the target shares no point with the cell.
   std::optional<Item> find(Target const& target, Effort effort = Effort::exhaustive)
   {
     ++counts_.targets;
@@ -61,35 +61,30 @@ public:
     return found;
   }
 
-  /// Whether no body meets the sight line from the cell to `to`: from the highest vertex of the cell, of several the
-  /// one furthest away, because standing back shows more. If one does, it is the first candidate of the next search.
-  /// Requires: `to` is not in the cell.
+  /// Whether no occluder meets the sight line from the cell to `to`: from the highest vertex of the cell, of several
+  /// the one furthest away, because standing back shows more. If one does, it is the first candidate of the next
+  /// search. Requires: `to` is not in the cell.
   bool is_free(Point3d const& to)
   {
     auto const distance = [&](Point3d const& v) { return (v.x - to.x) * (v.x - to.x) + (v.y - to.y) * (v.y - to.y); };
     Point3d from = highest_[0];
     for (auto const& v : highest_)
       if (distance(v) > distance(from)) from = v;
-    auto const meets = [&](Item i) {
-      auto const& body = bodies().bodies()[remainder_.body(i)];
-      if (!body.occludes || (options_.skip_hidden && hidden_bodies_[i])) return false;
-      ++counts_.rays;
-      return segment_meets<A, End::excluded>(bodies(), body, from, to);
-    };
     for (std::size_t i = 0; i < recent_count_; ++i)
-      if (meets(recent_[i])) return remember_again(i), false;
+      if (meets(recent_[i], from, to)) return remember_again(i), false;
     SegmentProbe const probe(from, to);
     auto const found = walk(
-      Box{to, to}, [&](Box const& b) { return !probe.certainly_misses(b); }, meets);
+      Box{to, to}, [&](Box const& b) { return !probe.certainly_misses(b); },
+      [&](Item i) { return meets(i, from, to); });
     if (found) remember(*found);
     return !found;
   }
 
   /// What has a strong occluder need not be tried as one [CohenOr98, 5, optimization 2].
   void hide_node(std::uint32_t node) { hidden_nodes_[node] = true; }
-  void hide_body(Item body) { hidden_bodies_[body] = true; }
+  void hide(Item occluder) { hidden_[occluder] = true; }
   bool is_hidden_node(std::uint32_t node) const { return hidden_nodes_[node]; }
-  bool is_hidden_body(Item body) const { return hidden_bodies_[body]; }
+  bool is_hidden(Item occluder) const { return hidden_[occluder]; }
 
   Counts const& counts() const { return counts_; }
 
@@ -121,12 +116,28 @@ private:
 
   static constexpr std::size_t cache_size = 4;
 
-  ConvexBodies const& bodies() const { return remainder_.scene().bodies(); }
+  Occluders const& occluders() const { return remainder_.scene().occluders(); }
+
+  bool blocks_from_cell(std::uint32_t occluder) const
+  {
+    PreparedScene const& scene = remainder_.scene();
+    return occluders().blocks_from(shaft_.cell(), occluder, scene.object_bounds()[occluders().object(occluder)]);
+  }
 
   bool try_candidate(Item i)
   {
-    auto const& body = bodies().bodies()[remainder_.body(i)];
-    return body.occludes && blocks_all<A>(bodies(), body, remainder_.body_bounds(i), shaft_, counts_);
+    auto const occluder = remainder_.occluder(i);
+    return blocks_from_cell(occluder) && blocks_all<A>(occluders(), occluder, shaft_, counts_);
+  }
+
+  /// Whether the sight line [from, to) meets the occluder.
+  bool meets(Item i, Point3d const& from, Point3d const& to)
+  {
+    auto const occluder = remainder_.occluder(i);
+    if ((options_.skip_hidden && hidden_[i]) || !blocks_from_cell(occluder)) return false;
+    ++counts_.rays;
+    return occluders().visit(occluder,
+                             [&](auto const& shape) { return segment_meets<A, End::excluded>(shape, from, to); });
   }
 
   Item remember_again(std::size_t position)
@@ -142,13 +153,13 @@ private:
     recent_.front() = found;
   }
 
-  /// The first body for which try_body(item) holds, the half of each node that comes first on the way first; only boxes
-  /// that may_hold(box) are looked into.
+  /// The first occluder for which try_body(item) holds, the half of each node that comes first on the way first; only
+  /// boxes that may_hold(box) are looked into.
   template <class MayHold, class TryBody>
   std::optional<Item> walk(Box const& towards, MayHold&& may_hold, TryBody&& try_body)
   {
     Ahead const before(shaft_.cell().bounds(), towards);
-    BoundingHierarchy const& tree = remainder_.bodies();
+    BoundingHierarchy const& tree = remainder_.occluders();
     auto const pass = [&](std::uint32_t node) {
       ++counts_.probes;
       return may_hold(tree.nodes()[node].bounds) && !(options_.skip_hidden && hidden_nodes_[node]);
@@ -162,7 +173,7 @@ private:
         counts_.probes += node.count;
         for (auto k = node.first; k < node.first + node.count; ++k)
           if (Item const i = tree.items()[k];
-              may_hold(tree.item_bounds()[k]) && !(options_.skip_hidden && hidden_bodies_[i]) && try_body(i))
+              may_hold(tree.item_bounds()[k]) && !(options_.skip_hidden && hidden_[i]) && try_body(i))
             return i;
         continue;
       }
@@ -178,20 +189,17 @@ private:
     return {};
   }
 
-  /// The paper's first algorithm [CohenOr98, 3]: each ray lists the bodies it meets; a body on every list is a strong
-  /// occluder. Ends when no body is left.
+  /// The paper's first algorithm [CohenOr98, 3]: each ray lists the occluders it meets; one on every list is a strong
+  /// occluder. Ends when none is left.
   std::optional<Item> find_by_lists()
   {
-    BoundingHierarchy const& tree = remainder_.bodies();
+    BoundingHierarchy const& tree = remainder_.occluders();
     std::vector<Item> common, listed;
     for (auto const& ray : shaft_.rays()) {
       SegmentProbe const probe(ray.from, ray.to);
       listed.clear();
       tree.any_along(probe, [&](Item i) {
-        auto const& body = bodies().bodies()[remainder_.body(i)];
-        if (!body.occludes || (options_.skip_hidden && hidden_bodies_[i])) return false;
-        ++counts_.rays;
-        if (segment_meets<A, End::excluded>(bodies(), body, ray.from, ray.to)) listed.push_back(i);
+        if (meets(i, ray.from, ray.to)) listed.push_back(i);
         return false;
       });
       std::ranges::sort(listed);
@@ -212,7 +220,7 @@ private:
   Remainder const& remainder_;
   Options const& options_;
   Shaft shaft_;
-  std::vector<bool> hidden_nodes_, hidden_bodies_;
+  std::vector<bool> hidden_nodes_, hidden_;
   std::vector<Point3d> highest_;  // vertices of the cell
   std::array<Item, cache_size> recent_{};
   std::size_t recent_count_ = 0;

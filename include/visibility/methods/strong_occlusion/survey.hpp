@@ -24,24 +24,24 @@ Survey survey(PreparedScene const& scene, ViewCell const& cell, Options const& o
   ConvexBodies const& bodies = scene.bodies();
   Survey out;
   out.bodies = bodies.bodies().size();
-  std::vector<bool> in_hidden_group(bodies.bodies().size(), true);
   std::vector<Point3d> vertices;
 
-  auto const look_at = [&](Remainder::Item body) {
-    in_hidden_group[body] = false;
-    Box const& bounds = bodies.bounds()[body];
+  std::uint64_t looked_at = 0;
+  auto const look_at = [&](Remainder::Item item, ConvexBodies::Body const& body) {
+    ++looked_at;
+    Box const& bounds = remainder.bounds(item);
     bool const disjoint = certainly_disjoint(cell, bounds);
     vertices.clear();
-    bodies.append_vertices(bodies.bodies()[body], vertices);
+    bodies.append_vertices(body, vertices);
     Target target = target_of(vertices);
-    target.is_box = bodies.bodies()[body].kind == ConvexBodies::Kind::box;
+    target.is_box = body.kind == ConvexBodies::Kind::box;
     if (disjoint && search.find(target)) {
-      search.hide_body(body);
+      search.hide(item);
       ++out.hidden_bodies;
       return;
     }
     std::uint64_t visible = 0;
-    any_face_towards(cell, bodies, bodies.bodies()[body], [&](std::span<Point3d const> face) {
+    any_face_towards(cell, bodies, body, [&](std::span<Point3d const> face) {
       for (std::size_t i = 2; i < face.size(); ++i) {
         std::array<Point3d, 3> const triangle{face[0], face[i - 1], face[i]};
         visible += !disjoint || !search.find_for_face(target_of(triangle));
@@ -59,11 +59,11 @@ Survey survey(PreparedScene const& scene, ViewCell const& cell, Options const& o
       return false;
     },
     [&](Remainder::Item object) {
-      auto const [first, last] = remainder.bodies_of(object);
-      for (auto b = first; b < last; ++b) look_at(b);
+      auto const [first, last] = remainder.occluders_of(object);
+      for (auto i = first; i < last; ++i)
+        if (auto const* const body = remainder.body(i)) look_at(i, *body);
     });
-  auto const dropped = static_cast<std::uint64_t>(std::ranges::count(in_hidden_group, true));
-  out.hidden_bodies += dropped;
+  out.hidden_bodies += out.bodies - looked_at;  // in groups dropped whole
   out.hidden_piecewise += out.hidden_bodies;
   out.counts = search.counts();
   return out;
