@@ -40,6 +40,7 @@ public:
   bool is_seen(Item object)
   {
     auto const [first, last] = remainder_.occluders_of(object);
+    if (remainder_.body(first) == nullptr) return false;  // settled, and all its own bodies are redundant
     Item nearest = first, highest = first;
     double distance = HUGE_VAL;
     for (Item b = first; b < std::min(last, first + most_bodies_compared) && last - first > 1; ++b) {
