@@ -19,6 +19,7 @@ void ranks(Report&, Size);          ///< table 3: how near the strong occluder i
 void levels(Report&, Size);         ///< table 4: one level and two
 void spheres(Report&, Size);        ///< table 5: balls
 void optimizations(Report&, Size);  ///< section 5: each optimization alone, left out, all together
+void cities(Report&, Size);         ///< real cities, with and without inner bodies
 void scale(Report&, Size);          ///< 10^4 to 10^6 boxes
 
 /// The city of the paper; small for a smoke run.

@@ -3,7 +3,8 @@
 //   strong_occlusion_bench NAME... [--json FILE] [--smoke]
 //
 // NAME: cell-sizes (tables 1 and 2, figure 5), ranks (table 3), levels (table 4), spheres (table 5), optimizations,
-// scale, or all. Scenes are generated, seed 1. Tables go to standard output, JSON to FILE.
+// cities (real ones, where they are there), scale, or all. Other scenes are generated, seed 1. Tables go to standard
+// output, JSON to FILE.
 
 #include "experiments.hpp"
 
@@ -21,6 +22,7 @@ int main(int argc, char** argv)
     {"levels", experiments::levels},
     {"spheres", experiments::spheres},
     {"optimizations", experiments::optimizations},
+    {"cities", experiments::cities},
     {"scale", experiments::scale}};
   auto size = experiments::Size::full;
   std::string json, command = "strong_occlusion_bench";
