@@ -159,6 +159,19 @@ TEST_CASE("inner bodies: an open bottom sets the floor", "[scene]")
   CHECK_FALSE(blocks(mesh, {12, 3, -5}, {12, 3, 5}));
 }
 
+TEST_CASE("inner bodies: for which cells they may be used", "[scene]")
+{
+  Box const object{{0, 0, 0}, {9, 9, 9}};
+  auto const may = [&](double floor, bool needs_outside, Box const& cell) {
+    return may_occlude({ConvexPrism{}, floor, needs_outside}, cell, object);
+  };
+  CHECK(may(-infinity, false, {{1, 1, -1}, {2, 2, 2}}));
+  CHECK_FALSE(may(-infinity, true, {{1, 1, -1}, {2, 2, 2}}));
+  CHECK(may(0, true, {{10, 1, 0}, {12, 2, 2}}));
+  CHECK_FALSE(may(0, true, {{9, 1, 0}, {12, 2, 2}}));  // touches the box
+  CHECK_FALSE(may(0, true, {{10, 1, -1}, {12, 2, 2}}));
+}
+
 TEST_CASE("inner bodies: above a damaged storey the next one still counts", "[scene]")
 {
   auto mesh = extrusion(plan_of(0), 0, 8);
