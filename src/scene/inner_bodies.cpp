@@ -2,10 +2,12 @@
 
 #include "inner_prisms.hpp"
 #include "inner_roofs.hpp"
+#include "inner_stacks.hpp"
 #include "plan.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -115,6 +117,8 @@ std::vector<InnerBody> inner_bodies(Scene const& scene, Object const& object,
     }
     for (auto& k : hulls) bodies.push_back({std::move(k), shell.floor, true});
   }
+  auto towers = stacks(bodies);
+  bodies.insert(bodies.end(), std::make_move_iterator(towers.begin()), std::make_move_iterator(towers.end()));
   return chosen(std::move(bodies), options.max_bodies);
 }
 

@@ -205,6 +205,37 @@ TEST_CASE("inner bodies: edges that fit only after cutting are closed", "[scene]
   CHECK(bodies_of(open).empty());
 }
 
+TEST_CASE("inner bodies: storeys that are solids of their own become one tower", "[scene]")
+{
+  // Slabs wider than the storeys between them: their common faces are different triangles.
+  Ring const storey = turned({{0, 0}, {10, 0}, {10, 6}, {0, 6}}, 0.4, 3, 5);
+  Ring const slab = turned({{-1, -1}, {11, -1}, {11, 7}, {-1, 7}}, 0.4, 3, 5);
+  auto const tower = [&](double gap) {
+    Triangles mesh;
+    double z = 0;
+    for (int i = 0; i < 5; ++i) {
+      append(mesh, extrusion(slab, z, z + 0.5));
+      append(mesh, extrusion(storey, z + 0.5, z + 3.5));
+      z += 3.5 + (i == 2 ? gap : 0);
+    }
+    return mesh;
+  };
+  auto const highest = [](std::vector<InnerBody> const& bodies) {
+    double h = 0;
+    for (auto const& k : bodies) h = std::max(h, bounding_box(k).max.z - bounding_box(k).min.z);
+    return h;
+  };
+  CHECK(highest(bodies_of(tower(0))) == 17.5);
+  CHECK(highest(bodies_of(tower(0x1p-40))) == 10.5);  // a slit is a slit
+  Random random(85);
+  Reached reached;
+  for (double const gap : {0.0, 0x1p-40, 0.5}) {
+    auto const mesh = tower(gap);
+    check_promise(mesh, bodies_of(mesh), random, 40, reached);
+  }
+  CHECK(reached.blocked > 100);
+}
+
 TEST_CASE("inner bodies: triangles count modulo 2", "[scene][degenerate]")
 {
   auto const once = extrusion(plan_of(3), 0, 10);
