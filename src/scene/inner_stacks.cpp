@@ -47,7 +47,7 @@ std::vector<InnerBody> stacks(std::span<InnerBody const> bodies)
     auto const contains_storey = [&](InnerBody const& k) {
       auto const& prism = std::get<ConvexPrism>(k.shape);
       return prism.footprint == s.prism->footprint && prism.bottom <= s.prism->bottom && s.prism->top <= prism.top &&
-             k.floor <= s.body->floor;
+             k.floor <= s.body->floor && k.needs_outside <= s.body->needs_outside;
     };
     if (std::ranges::any_of(out, contains_storey)) continue;
     column.clear();
