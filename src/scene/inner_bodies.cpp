@@ -2,10 +2,12 @@
 
 #include "inner_prisms.hpp"
 #include "inner_roofs.hpp"
+#include "inner_stacks.hpp"
 #include "plan.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 
@@ -104,13 +106,19 @@ std::vector<InnerBody> inner_bodies(Scene const& scene, Object const& object,
     if (!is_in_domain(shell.bounds)) continue;
     auto prisms = inner_prisms(shell, options);
     std::ranges::stable_sort(prisms, std::greater<>{}, [](ConvexPrism const& k) { return side_view(k); });
+    std::vector<ConvexPolyhedron> hulls;
     for (std::size_t i = 0; i < prisms.size(); ++i) {
-      bodies.push_back({prisms[i], shell.floor, true});
+      InnerBody const& body = bodies.emplace_back(InnerBody{prisms[i], shell.floor, true});
       if (!options.roofs || i >= options.max_bodies) continue;
-      if (auto body = with_roof(shell, prisms[i], prisms, options.max_corners))
-        bodies.push_back({std::move(*body), shell.floor, true});
+      auto const points = corners(body);
+      double const slack = 1e-3 * std::sqrt(side_view(body));
+      if (std::ranges::any_of(hulls, [&](auto const& k) { return contains(k, points, slack); })) continue;
+      if (auto hull = with_roof(shell, prisms[i], prisms, options.max_corners)) hulls.push_back(std::move(*hull));
     }
+    for (auto& k : hulls) bodies.push_back({std::move(k), shell.floor, true});
   }
+  auto towers = stacks(bodies);
+  bodies.insert(bodies.end(), std::make_move_iterator(towers.begin()), std::make_move_iterator(towers.end()));
   return chosen(std::move(bodies), options.max_bodies);
 }
 

@@ -1,12 +1,7 @@
 #include "visibility/scene/inner_bodies.hpp"
 
-#include "meshes.hpp"
-#include "support/catch.hpp"
+#include "inner_body_checks.hpp"
 #include "support/trials.hpp"
-
-#include "visibility/geometry/segment_polyhedron.hpp"
-#include "visibility/geometry/segment_prism.hpp"
-#include "visibility/geometry/segment_triangle.hpp"
 
 #include <limits>
 #include <numeric>
@@ -22,23 +17,6 @@ std::vector<InnerBody> bodies_of(Triangles const& mesh, InnerBodyOptions const& 
   std::vector<std::uint32_t> all(scene.triangles.size());
   std::iota(all.begin(), all.end(), 0u);
   return inner_bodies(scene, scene.objects[0], all, options);
-}
-
-Box bounds_of(Triangles const& mesh)
-{
-  Box b;
-  for (auto const& t : mesh) b.extend(bounding_box(t));
-  return b;
-}
-
-std::vector<Point3d> corners(InnerBody const& k)
-{
-  if (auto const* body = std::get_if<ConvexPolyhedron>(&k.shape)) return body->vertices;
-  std::vector<Point3d> out;
-  auto const& prism = std::get<ConvexPrism>(k.shape);
-  for (auto const& p : prism.footprint)
-    for (double const z : {prism.bottom, prism.top}) out.push_back(lifted(p, z));
-  return out;
 }
 
 double volume(InnerBody const& k)
@@ -63,81 +41,6 @@ double largest_volume(std::vector<InnerBody> const& bodies)
   double v = 0;
   for (auto const& k : bodies) v = std::max(v, volume(k));
   return v;
-}
-
-bool blocks(InnerBody const& k, Point3d const& p, Point3d const& s)
-{
-  return std::visit([&](auto const& shape) { return segment_meets<Rational, End::excluded>(shape, p, s); }, k.shape);
-}
-
-bool blocks(Triangles const& mesh, Point3d const& p, Point3d const& s)
-{
-  return std::ranges::any_of(mesh, [&](Triangle const& t) { return segment_meets<Rational, End::excluded>(t, p, s); });
-}
-
-/// a + t (b - a), rounded.
-Point3d between(Point3d const& a, Point3d const& b, double t)
-{
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-}
-
-/// The end of a sight line from p that just meets, just misses, touches or ends on the body.
-Point3d target(std::vector<Point3d> const& v, Point3d const& p, Box const& around, Random& random)
-{
-  auto const any = [&] { return v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))]; };
-  auto const anywhere = [&] {
-    return Point3d{random.uniform(around.min.x, around.max.x), random.uniform(around.min.y, around.max.y),
-                   random.uniform(around.min.z, around.max.z)};
-  };
-  switch (random.below(7)) {
-  case 0: return any();                                 // ends in a corner
-  case 1: return between(p, any(), 2);                  // through a corner
-  case 2: return between(any(), any(), random.unit());  // ends on an edge or inside
-  case 3: return between(p, between(any(), any(), random.unit()), random.uniform(1, 3));
-  case 4: return between(p, between(any(), any(), random.unit()), 1 + 0x1p-40);  // just through an edge
-  case 5: return between(any(), anywhere(), 1e-9);
-  default: return anywhere();
-  }
-}
-
-struct Reached {
-  int meshes = 0, bodies = 0, hulls = 0, lines = 0, blocked = 0;
-};
-
-/// The promise of an inner body, on random half-open sight lines from outside the mesh's box and above the floor.
-void check_promise(Triangles const& mesh, Random& random, int lines, Reached& reached)
-{
-  Box const bounds = bounds_of(mesh);
-  double const dx = bounds.max.x - bounds.min.x, dy = bounds.max.y - bounds.min.y, dz = bounds.max.z - bounds.min.z;
-  Box const around{{bounds.min.x - dx, bounds.min.y - dy, bounds.min.z - dz},
-                   {bounds.max.x + dx, bounds.max.y + dy, bounds.max.z + dz}};
-  ++reached.meshes;
-  for (auto const& k : bodies_of(mesh)) {
-    ++reached.bodies;
-    reached.hulls += std::holds_alternative<ConvexPolyhedron>(k.shape);
-    std::visit([](auto const& shape) { shape.validate(); }, k.shape);
-    REQUIRE(k.needs_outside);
-    auto const v = corners(k);
-    for (auto const& p : v) REQUIRE(contains(bounds, p));
-    REQUIRE(bounding_box(k).min.z >= k.floor);
-    for (int i = 0; i < lines; ++i) {
-      Point3d p{random.uniform(around.min.x, around.max.x), random.uniform(around.min.y, around.max.y),
-                random.uniform(around.min.z, around.max.z)};
-      if (random.chance(0.2)) {  // along an edge or a diagonal of the body
-        auto const any = [&] { return v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))]; };
-        p = between(any(), any(), 8);
-      }
-      if (random.chance(0.3)) p.z = v[static_cast<std::size_t>(random.below(static_cast<int>(v.size())))].z;
-      if (contains(bounds, p) || !(p.z > k.floor)) continue;
-      Point3d const s = target(v, p, around, random);
-      if (p == s) continue;
-      ++reached.lines;
-      if (!blocks(k, p, s)) continue;
-      ++reached.blocked;
-      CAPTURE(p.x, p.y, p.z, s.x, s.y, s.z, k.floor);
-      REQUIRE(blocks(mesh, p, s));
-    }
-  }
 }
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -176,7 +79,7 @@ TEST_CASE("inner bodies: what an inner body blocks, the mesh blocks", "[scene][l
     }
     }
     shuffle(mesh, random);
-    check_promise(mesh, random, 40, reached);
+    check_promise(mesh, bodies_of(mesh), random, 40, reached);
   }
   CAPTURE(reached.meshes, reached.bodies, reached.hulls, reached.lines, reached.blocked);
   REQUIRE(reached.bodies > 2 * reached.meshes);
@@ -256,6 +159,19 @@ TEST_CASE("inner bodies: an open bottom sets the floor", "[scene]")
   CHECK_FALSE(blocks(mesh, {12, 3, -5}, {12, 3, 5}));
 }
 
+TEST_CASE("inner bodies: for which cells they may be used", "[scene]")
+{
+  Box const object{{0, 0, 0}, {9, 9, 9}};
+  auto const may = [&](double floor, bool needs_outside, Box const& cell) {
+    return may_occlude({ConvexPrism{}, floor, needs_outside}, cell, object);
+  };
+  CHECK(may(-infinity, false, {{1, 1, -1}, {2, 2, 2}}));
+  CHECK_FALSE(may(-infinity, true, {{1, 1, -1}, {2, 2, 2}}));
+  CHECK(may(0, true, {{10, 1, 0}, {12, 2, 2}}));
+  CHECK_FALSE(may(0, true, {{9, 1, 0}, {12, 2, 2}}));  // touches the box
+  CHECK_FALSE(may(0, true, {{10, 1, -1}, {12, 2, 2}}));
+}
+
 TEST_CASE("inner bodies: above a damaged storey the next one still counts", "[scene]")
 {
   auto mesh = extrusion(plan_of(0), 0, 8);
@@ -280,13 +196,44 @@ TEST_CASE("inner bodies: edges that fit only after cutting are closed", "[scene]
   for (auto const& k : bodies) CHECK(k.floor == -infinity);
   Random random(83);
   Reached reached;
-  check_promise(mesh, random, 100, reached);
+  check_promise(mesh, bodies, random, 100, reached);
   // Off the edge by one unit it is open.
   auto open = mesh;
   for (auto& t : open)
     for (auto& p : t.vertices)
       if (p.z == 5 && p.x == 20) p.x = std::nextafter(20, 30);
   CHECK(bodies_of(open).empty());
+}
+
+TEST_CASE("inner bodies: storeys that are solids of their own become one tower", "[scene]")
+{
+  // Slabs wider than the storeys between them: their common faces are different triangles.
+  Ring const storey = turned({{0, 0}, {10, 0}, {10, 6}, {0, 6}}, 0.4, 3, 5);
+  Ring const slab = turned({{-1, -1}, {11, -1}, {11, 7}, {-1, 7}}, 0.4, 3, 5);
+  auto const tower = [&](double gap) {
+    Triangles mesh;
+    double z = 0;
+    for (int i = 0; i < 5; ++i) {
+      append(mesh, extrusion(slab, z, z + 0.5));
+      append(mesh, extrusion(storey, z + 0.5, z + 3.5));
+      z += 3.5 + (i == 2 ? gap : 0);
+    }
+    return mesh;
+  };
+  auto const highest = [](std::vector<InnerBody> const& bodies) {
+    double h = 0;
+    for (auto const& k : bodies) h = std::max(h, bounding_box(k).max.z - bounding_box(k).min.z);
+    return h;
+  };
+  CHECK(highest(bodies_of(tower(0))) == 17.5);
+  CHECK(highest(bodies_of(tower(0x1p-40))) == 10.5);  // a slit is a slit
+  Random random(85);
+  Reached reached;
+  for (double const gap : {0.0, 0x1p-40, 0.5}) {
+    auto const mesh = tower(gap);
+    check_promise(mesh, bodies_of(mesh), random, 40, reached);
+  }
+  CHECK(reached.blocked > 100);
 }
 
 TEST_CASE("inner bodies: triangles count modulo 2", "[scene][degenerate]")

@@ -45,4 +45,10 @@ std::vector<InnerBody> inner_bodies(Scene const& scene, Object const& object,
 
 Box bounding_box(InnerBody const& body);
 
+/// Whether the body may be used as an occluder for cells within `cell`; `object` is the bounding box of its object.
+inline bool may_occlude(InnerBody const& body, Box const& cell, Box const& object)
+{
+  return cell.min.z >= body.floor && !(body.needs_outside && meet(cell, object));
+}
+
 }  // namespace visibility
