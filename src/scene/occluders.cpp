@@ -1,5 +1,6 @@
 #include "visibility/scene/occluders.hpp"
 
+#include <numeric>
 #include <utility>
 
 namespace visibility {
@@ -8,17 +9,19 @@ Occluders::Occluders(ConvexBodies const& bodies, InnerBodyOptions const& options
 {
   Scene const& scene = bodies.scene();
   auto const count = static_cast<std::uint32_t>(bodies.bodies().size());
-  std::vector<std::uint32_t> loose;
+  std::vector<std::uint32_t> triangles;
   for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
     first_of_object_.push_back(static_cast<std::uint32_t>(all_.size()));
-    loose.clear();
     for (auto b = bodies.first_of_object()[o]; b < bodies.first_of_object()[o + 1]; ++b) {
       all_.push_back(b);
       bounds_.push_back(bodies.bounds()[b]);
-      auto const& body = bodies.bodies()[b];
-      if (body.kind == ConvexBodies::Kind::triangle) loose.push_back(body.index);
     }
-    for (auto& inner : inner_bodies(scene, scene.objects[o], loose, options)) {
+    Object const& object = scene.objects[o];
+    if (bodies.bodies_of(o).size() < 2) continue;  // convex already
+    // All triangles, those of convex solids too: storeys that are solids of their own may make a tower.
+    triangles.resize(object.triangles.size());
+    std::iota(triangles.begin(), triangles.end(), object.triangles.first);
+    for (auto& inner : inner_bodies(scene, object, triangles, options)) {
       all_.push_back(count + static_cast<std::uint32_t>(inner_.size()));
       bounds_.push_back(bounding_box(inner));
       inner_.push_back(std::move(inner));

@@ -43,8 +43,7 @@ public:
   bool blocks_from(ViewCell const& cell, std::uint32_t i, Box const& owner) const
   {
     if (is_body(i)) return bodies_->bodies()[body(i)].occludes;
-    InnerBody const& b = inner(i);
-    return cell.bounds().min.z >= b.floor && (!b.needs_outside || certainly_disjoint(cell, owner));
+    return may_occlude(inner(i), cell.bounds(), owner);
   }
 
   /// Calls f(shape) with the occluder's Box, Ball, Triangle, ConvexPrism or ConvexPolyhedron; returns what f does.
