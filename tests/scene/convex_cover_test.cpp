@@ -1,6 +1,7 @@
 #include "visibility/scene/convex_cover.hpp"
 
 #include "meshes.hpp"
+#include "scene/convex_growth.hpp"
 #include "support/catch.hpp"
 
 using namespace visibility;
@@ -129,4 +130,25 @@ TEST_CASE("convex cover: a court is avoided", "[scene]")
   REQUIRE(cover.size() >= 4);
   for (auto const& k : cover) require_inside(k, partition);
   CHECK(area(cover[0].footprint) >= 300);
+}
+
+TEST_CASE("convex cover: a polygon that meets no edge is inside or outside by parity", "[scene][degenerate]")
+{
+  // A square with a square hole, and an L; candidates in every cell of the plane they make.
+  Ring const outer{{0, 0}, {12, 0}, {12, 12}, {0, 12}}, hole{{4, 4}, {4, 8}, {8, 8}, {8, 4}};
+  std::vector<Ring> const frame{outer, hole}, corner{plan_of(0)};
+  auto const square = [](double x, double y, double side) {
+    return Ring{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}};
+  };
+  using detail::lies_inside;
+  REQUIRE(lies_inside(frame, square(1, 1, 2)));
+  REQUIRE(lies_inside(frame, square(0, 0, 4)));  // fills a corner between the walls
+  REQUIRE_FALSE(lies_inside(frame, square(5, 5, 2)));
+  REQUIRE_FALSE(lies_inside(frame, square(4, 4, 4)));  // fills the hole
+  REQUIRE_FALSE(lies_inside(frame, square(13, 1, 2)));
+  REQUIRE_FALSE(lies_inside(frame, square(12, 0, 12)));  // leans on a wall from outside
+  REQUIRE_FALSE(lies_inside(frame, square(2, 2, 4)));
+  REQUIRE(lies_inside(corner, square(0, 0, 8)));
+  REQUIRE_FALSE(lies_inside(corner, square(8, 8, 12)));  // fills the notch
+  REQUIRE_FALSE(lies_inside(corner, square(-5, -5, 3)));
 }
