@@ -24,7 +24,7 @@ std::vector<std::pair<std::string, bool Options::*>> switches()
           {"3 hull rays", &Options::hull_rays},
           {"4 groups", &Options::groups},
           {"5 cache", &Options::cache},
-          {"sight line first", &Options::sight_line_first},
+          {"visible first", &Options::visible_first},
           {"shaft", &Options::shaft}};
 }
 

@@ -25,7 +25,7 @@ std::vector<std::pair<std::string, Switch>> const& optimizations()
                                                                {"hull-rays", &O::hull_rays},
                                                                {"groups", &O::groups},
                                                                {"cache", &O::cache},
-                                                               {"sight-line-first", &O::sight_line_first},
+                                                               {"visible-first", &O::visible_first},
                                                                {"shaft", &O::shaft}};
   return all;
 }

@@ -137,7 +137,7 @@ TEST_CASE("inner occluders: optimizations and refinement change nothing with the
       auto const expected = StrongOcclusion<>(O::naive(g))(prepared, cell).visible;
       REQUIRE(StrongOcclusion<>({.granularity = g})(prepared, cell).visible == expected);
       for (auto const flag :
-           {&O::leading_ray, &O::skip_hidden, &O::hull_rays, &O::groups, &O::cache, &O::sight_line_first, &O::shaft}) {
+           {&O::leading_ray, &O::skip_hidden, &O::hull_rays, &O::groups, &O::cache, &O::visible_first, &O::shaft}) {
         O options{.granularity = g};
         options.*flag = false;
         REQUIRE(StrongOcclusion<>(options)(prepared, cell).visible == expected);

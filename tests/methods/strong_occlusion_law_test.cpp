@@ -143,7 +143,7 @@ TEST_CASE("strong occlusion: optimizations save work and change nothing, each al
   auto const expected = visible(t.scene, t.cell, O::naive(g));
   REQUIRE(visible(t.scene, t.cell, {.granularity = g}) == expected);
   for (auto const optimization :
-       {&O::leading_ray, &O::skip_hidden, &O::hull_rays, &O::groups, &O::cache, &O::sight_line_first, &O::shaft}) {
+       {&O::leading_ray, &O::skip_hidden, &O::hull_rays, &O::groups, &O::cache, &O::visible_first, &O::shaft}) {
     O alone = O::naive(g), others{.granularity = g};
     alone.*optimization = true;
     others.*optimization = false;

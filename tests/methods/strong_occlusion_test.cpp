@@ -97,6 +97,20 @@ TEST_CASE("strong occlusion: parts hidden by different occluders make a hidden o
   REQUIRE_FALSE(visible_names(scene, unit_cell, {.granularity = Granularity::part}).contains("two parts"));
 }
 
+TEST_CASE("strong occlusion: faces hidden by different occluders make a hidden object", "[methods][regression]")
+{
+  // Two faces of the target look at the cell. Each has a wall before it; neither wall hides the whole target.
+  Scene const scene = scene_of({{"target", {{20, 20, 0}, {24, 24, 1}}},
+                                {"left", {{18, 17, -9}, {19, 23, 9}}},
+                                {"right", {{17, 18, -9}, {23, 19, 9}}}});
+  for (auto const g : {Granularity::object, Granularity::part})
+    REQUIRE(visible_names(scene, unit_cell, {.granularity = g}).contains("target"));
+  for (auto const g : {Granularity::face, Granularity::triangle})
+    for (bool const visible_first : {false, true})
+      REQUIRE_FALSE(
+        visible_names(scene, unit_cell, {.granularity = g, .visible_first = visible_first}).contains("target"));
+}
+
 TEST_CASE("strong occlusion: every kind of body is an occluder", "[methods]")
 {
   auto const hides = [](auto&& add) {

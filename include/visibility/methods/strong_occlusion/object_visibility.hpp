@@ -30,7 +30,8 @@ public:
 
   /// Keeps references to the first three.
   ObjectVisibility(OccluderSearch<A>& search, Remainder const& remainder, ViewCell const& cell, Options const& options)
-    : search_(search), remainder_(remainder), cell_(cell), granularity_(options.granularity)
+    : search_(search), remainder_(remainder), cell_(cell), granularity_(options.granularity),
+      face_first_(options.visible_first && options.granularity == Granularity::face)
   {
   }
 
@@ -41,15 +42,10 @@ public:
   {
     auto const [first, last] = remainder_.occluders_of(object);
     if (remainder_.body(first) == nullptr) return false;  // settled, and all its own bodies are redundant
-    Item nearest = first, highest = first;
-    double distance = HUGE_VAL;
-    for (Item b = first; b < std::min(last, first + most_bodies_compared) && last - first > 1; ++b) {
-      if (remainder_.body(b) == nullptr) break;
-      Box const& bounds = remainder_.bounds(b);
-      double const d = approximate_squared_distance(cell_.bounds(), bounds);
-      if (d < distance) distance = d, nearest = b;
-      if (bounds.max.z > remainder_.bounds(highest).max.z) highest = b;
-    }
+    Item const nearest = nearest_body(first, last);
+    Item highest = nearest;
+    for (Item b = first; b < std::min(last, first + most_bodies_compared) && remainder_.body(b) != nullptr; ++b)
+      if (remainder_.bounds(b).max.z > remainder_.bounds(highest).max.z) highest = b;
     auto const sees = [&](Item body) {
       Point3d const target = high_and_near(body);
       return !contains(cell_.bounds(), target) && search_.is_free(target);
@@ -63,6 +59,7 @@ public:
     Box const& box = remainder_.scene().object_bounds()[remainder_.object(object)];
     auto const [first, last] = remainder_.occluders_of(object);
     bool const disjoint = certainly_disjoint(cell_, box);
+    if (disjoint && face_first_ && a_face_is_unoccluded(nearest_body(first, last))) return true;
     if (disjoint && search_.find(BoxTarget(box).target())) {
       for (Item b = first; b < last; ++b) search_.hide(b);
       return false;
@@ -99,6 +96,49 @@ private:
   ConvexBodies::Body const& of(Item item) const { return *remainder_.body(item); }
   bool is_box(Item item) const { return of(item).kind == Kind::box || of(item).kind == Kind::ball; }
 
+  /// Requires: body(first).
+  Item nearest_body(Item first, Item last) const
+  {
+    if (last - first == 1) return first;
+    Item nearest = first;
+    double distance = HUGE_VAL;
+    for (Item b = first; b < std::min(last, first + most_bodies_compared) && remainder_.body(b) != nullptr; ++b) {
+      double const d = approximate_squared_distance(cell_.bounds(), remainder_.bounds(b));
+      if (d < distance) distance = d, nearest = b;
+    }
+    return nearest;
+  }
+
+  /// Whether a face of the body that looks towards the cell has no strong occluder. Then neither the body has, nor any
+  /// group around it. Looks at one face: of a box that across the widest gap to the cell. Requires: the body is
+  /// disjoint from the cell.
+  bool a_face_is_unoccluded(Item item)
+  {
+    if (of(item).kind == Kind::box && of(item).occludes) {
+      Box face = remainder_.bounds(item);
+      Box const &b = remainder_.bounds(item), &c = cell_.bounds();
+      double widest = 0;
+      for (auto const k : {&Point3d::x, &Point3d::y, &Point3d::z}) {
+        double const below = b.min.*k - c.max.*k, above = c.min.*k - b.max.*k;
+        if (std::max(below, above) <= widest) continue;
+        widest = std::max(below, above);
+        face = b;
+        // Not (below > above ? face.max : face.min).*k = ...: GCC 12 assigns to a copy.
+        if (below > above)
+          face.max.*k = b.min.*k;
+        else
+          face.min.*k = b.max.*k;
+      }
+      return widest > 0 && !search_.find_for_face(BoxTarget(face).target());
+    }
+    bool unoccluded = false;
+    any_face_towards(cell_, bodies(), of(item), [&](std::span<Point3d const> face) {
+      unoccluded = !search_.find_for_face(target_of(face));
+      return true;
+    });
+    return unoccluded;
+  }
+
   /// Of the highest vertices of the body, or of its bounding box, that nearest to the cell.
   Point3d high_and_near(Item item)
   {
@@ -127,6 +167,7 @@ private:
   Remainder const& remainder_;
   ViewCell const& cell_;
   Granularity granularity_;
+  bool face_first_;
   std::vector<Point3d> vertices_;
 };
 

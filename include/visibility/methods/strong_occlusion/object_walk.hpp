@@ -45,7 +45,7 @@ private:
   bool enter(std::uint32_t node, Box const& bounds)
   {
     if (!options_.groups || !certainly_disjoint(cell_, bounds)) return true;
-    if (options_.sight_line_first) {
+    if (options_.visible_first) {
       if (aimed_at_ == none) {
         aimed_at_ = remainder_.objects().nearest_item(node, cell_.bounds());
         aimed_at_is_seen_ = possibly_visible_.is_seen(aimed_at_);
@@ -64,7 +64,7 @@ private:
     bool const aimed = object == aimed_at_;
     if (aimed) aimed_at_ = none;
     if (remainder_.is_settled(object)) return;
-    bool const seen = aimed ? aimed_at_is_seen_ : options_.sight_line_first && possibly_visible_.is_seen(object);
+    bool const seen = aimed ? aimed_at_is_seen_ : options_.visible_first && possibly_visible_.is_seen(object);
     if (seen || possibly_visible_(object)) visible_.push_back(object);
   }
 

@@ -49,9 +49,10 @@ struct Options {
   bool groups = true;
   /// 5: occluders found last are tried first. For groups they are the only ones tried.
   bool cache = true;
-  /// One sight line is cast through all occluders before any is sought: if it is free, the object is visible. The paper
-  /// weighs the idea and drops it, having few visible objects.
-  bool sight_line_first = true;
+  /// Visible objects first: one sight line is cast through all occluders before any is sought, and one face is looked
+  /// at before the whole; if the line is free, or the face has no strong occluder, the object is visible. The paper
+  /// weighs the former and drops it, having few visible objects.
+  bool visible_first = true;
   /// Candidates are sought only where all sight lines pass, in place of along the leading ray.
   bool shaft = true;
 

@@ -15,7 +15,7 @@ struct Survey {
 };
 
 /// Surveys a scene from one cell. Polygons are the triangles of faces that look towards the cell. `options.granularity`
-/// and `sight_line_first` do not apply. Exact if the arithmetic is.
+/// and `visible_first` do not apply. Exact if the arithmetic is.
 template <Arithmetic A>
 Survey survey(PreparedScene const& scene, ViewCell const& cell, Options const& options)
 {
