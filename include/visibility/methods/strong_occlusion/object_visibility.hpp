@@ -59,10 +59,16 @@ public:
     Box const& box = remainder_.scene().object_bounds()[remainder_.object(object)];
     auto const [first, last] = remainder_.occluders_of(object);
     bool const disjoint = certainly_disjoint(cell_, box);
-    if (disjoint && face_first_ && a_face_is_unoccluded(nearest_body(first, last))) return true;
-    if (disjoint && search_.find(BoxTarget(box).target())) {
-      for (Item b = first; b < last; ++b) search_.hide(b);
-      return false;
+    if (disjoint) {
+      using Effort = typename OccluderSearch<A>::Effort;
+      BoxTarget const whole(box);
+      bool hidden = face_first_ && search_.find(whole.target(), Effort::recent);
+      if (!hidden && face_first_ && a_face_is_unoccluded(nearest_body(first, last))) return true;
+      hidden = hidden || search_.find(whole.target(), Effort::exhaustive);
+      if (hidden) {
+        for (Item b = first; b < last; ++b) search_.hide(b);
+        return false;
+      }
     }
     if (granularity_ == Granularity::object) return true;
     for (Item b = first; b < last && remainder_.body(b) != nullptr; ++b) {
