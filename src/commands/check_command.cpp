@@ -35,8 +35,9 @@ std::string text(Point3q const& p)
 
 void print_report(Scene const& scene, CheckReport const& report, std::size_t most)
 {
-  std::cout << "rays " << report.rays << " in " << std::fixed << std::setprecision(2) << report.seconds << " s, saw "
-            << report.objects_seen << " objects; " << report.rejected << " proposals refused by the exact test\n";
+  std::cout << "rays " << report.rays << " in " << std::fixed << std::setprecision(2) << report.seconds << " s, hit "
+            << report.objects_seen << " objects (in single precision); " << report.rejected
+            << " proposals refused by the exact test\n";
   std::cout << "missing " << report.missing.size() << '\n';
   std::size_t printed = 0;
   for (auto const i : report.missing) {

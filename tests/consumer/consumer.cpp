@@ -25,7 +25,14 @@ int main()
   builder.begin_object("behind");
   builder.add(Box{{6, 0, 0}, {7, 1, 1}});
   Scene const scene = builder.finish();
-  auto const set = StrongOcclusion<>{}(PreparedScene(scene), ViewCell(Box{{0, 0, 0}, {1, 1, 1}}));
+  PreparedScene const prepared(scene, InnerBodyOptions{});
+  Box const region{{0, 0, 0}, {1, 1, 1}};
+  auto const set = StrongOcclusion<>{}(prepared, ViewCell(region));
+  std::vector<Point3d> const sizes{{1, 1, 1}, {0.5, 0.5, 1}};
+  auto const sets = refine(prepared, Partition(region, sizes), std::vector<StrongOcclusion<>>(2));
   std::printf("%zu visible\n", set.visible.size());
-  return set.visible.size() == 1 && generate("city,n=10").objects.size() > 1 && !contracts() ? 0 : 1;
+  return set.visible.size() == 1 && sets[1].size() == 4 && sets[1][3].set.visible == set.visible &&
+             generate("city,n=10").objects.size() > 1 && !contracts()
+           ? 0
+           : 1;
 }

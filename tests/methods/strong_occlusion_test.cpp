@@ -111,6 +111,30 @@ TEST_CASE("strong occlusion: faces hidden by different occluders make a hidden o
         visible_names(scene, unit_cell, {.granularity = g, .visible_first = visible_first}).contains("target"));
 }
 
+TEST_CASE("strong occlusion: triangles of a wall cover it, and a ball has none", "[methods][regression]")
+{
+  // From the cell one sees the side wall of a prism, and of a ball, only beside a screen that covers most of it.
+  auto const sees_target = [](auto&& add, Box const& screen) {
+    SceneBuilder builder("test");
+    builder.begin_object("target");
+    add(builder);
+    builder.begin_object("screen");
+    builder.add(screen);
+    return visible_names(builder.finish(), unit_cell, {.granularity = Granularity::triangle}).contains("target");
+  };
+  auto const prism = [](auto& b) { b.add(Prism{{{{20, 0}, {28, 0}, {28, 8}, {20, 8}}}, 0, 8}); };
+  auto const ball = [](auto& b) { b.add(Ball{{24, 4, 4}, 4}); };
+  // Open to the left, to the right, above and below.
+  for (Box const& screen : {Box{{18, 2, -9}, {19, 20, 20}}, Box{{18, -9, -9}, {19, 6, 20}},
+                            Box{{18, -9, -9}, {19, 20, 6}}, Box{{18, -9, 2}, {19, 20, 20}}}) {
+    REQUIRE(sees_target(prism, screen));
+    REQUIRE(sees_target(ball, screen));
+  }
+  Box const whole{{18, -9, -9}, {19, 20, 20}};
+  REQUIRE_FALSE(sees_target(prism, whole));
+  REQUIRE_FALSE(sees_target(ball, whole));
+}
+
 TEST_CASE("strong occlusion: every kind of body is an occluder", "[methods]")
 {
   auto const hides = [](auto&& add) {

@@ -24,7 +24,7 @@ struct CheckReport {
   std::vector<Witness> witnesses;      ///< of those that do not meet the closed cell, by ascending object
   std::vector<std::uint32_t> unseen;   ///< members that no ray hit: information, no fault; empty unless claimed exact
   std::uint64_t rays = 0;
-  std::uint64_t objects_seen = 0;  ///< distinct objects that rays hit, members or not
+  std::uint64_t objects_seen = 0;  ///< distinct objects that single-precision rays hit, members or not; no lower bound
   std::uint64_t rejected = 0;      ///< proposed sight lines to non-members that the exact predicate refused
   double seconds = 0;
 

@@ -44,7 +44,7 @@ bool any_prism_face(ViewCell const& cell, ConvexPrism const& prism, Visit&& visi
       cell.vertices(), [&](Point3d const& v) { return is_negative(orient2d<Filtered>(a, b, horizontal(v))); });
     if (away) continue;
     std::array<Point3d, 4> const wall{Point3d{a.x, a.y, prism.top}, Point3d{b.x, b.y, prism.top},
-                                      Point3d{a.x, a.y, prism.bottom}, Point3d{b.x, b.y, prism.bottom}};
+                                      Point3d{b.x, b.y, prism.bottom}, Point3d{a.x, a.y, prism.bottom}};
     if (visit(std::span<Point3d const>(wall))) return true;
   }
   auto const cap = [&](double z) {
@@ -58,8 +58,15 @@ bool any_prism_face(ViewCell const& cell, ConvexPrism const& prism, Visit&& visi
 
 }  // namespace detail
 
-/// Calls visit(vertices) for the faces of a body, each a convex polygon given by its vertices in some order, until
-/// visit returns true; returns whether it did. Left out are the faces of solids that have the whole cell behind their
+/// Whether the faces of a body are polygons. A ball, and a prism whose footprint is none, are looked at through their
+/// bounding box.
+inline bool has_polygons(ConvexBodies::Body const& body)
+{
+  return body.kind != ConvexBodies::Kind::ball && body.occludes;
+}
+
+/// Calls visit(vertices) for the faces of a body, each a convex polygon given by its vertices in order around it (one
+/// way or the other), until visit returns true; returns whether it did. Left out are the faces of solids that have the whole cell behind their
 /// plane: the body itself hides them, since a sight line from the cell's interior to the face's relative interior runs
 /// through the body before it arrives. A ball is visited as its bounding box, as is the stand-in for an invalid prism.
 template <class Visit>

@@ -11,7 +11,7 @@
 namespace visibility::strong_occlusion {
 
 /// Calls find(target) for the triangles of a convex polygon, fanned from its first vertex, until it finds nothing;
-/// returns whether that happened. The vertices of a polygon with holes in their order (faces.hpp) do not occur.
+/// returns whether that happened.
 template <class Find>
 bool any_triangle_unoccluded(std::span<Point3d const> polygon, Find&& find)
 {
@@ -91,7 +91,8 @@ public:
     return any_face_towards(cell_, bodies(), of(item), [&](std::span<Point3d const> face) {
       auto const find = [&](Target const& t) { return search_.find_for_face(t); };
       if (find(target_of(face))) return false;
-      return granularity_ == Granularity::face || face.size() == 3 || any_triangle_unoccluded(face, find);
+      if (granularity_ == Granularity::face || face.size() == 3 || !has_polygons(of(item))) return true;
+      return any_triangle_unoccluded(face, find);
     });
   }
 

@@ -10,7 +10,7 @@ struct Survey {
   std::uint64_t bodies = 0;
   std::uint64_t hidden_bodies = 0;     ///< one strong occluder for the whole body
   std::uint64_t hidden_piecewise = 0;  ///< those, and bodies each of whose polygons has a strong occluder
-  std::uint64_t visible_polygons = 0;  ///< triangles without a strong occluder that face the cell
+  std::uint64_t visible_polygons = 0;  ///< triangles without a strong occluder that face the cell; a ball counts as one
   Counts counts;
 };
 
@@ -42,6 +42,10 @@ Survey survey(PreparedScene const& scene, ViewCell const& cell, Options const& o
     }
     std::uint64_t visible = 0;
     any_face_towards(cell, bodies, body, [&](std::span<Point3d const> face) {
+      if (!has_polygons(body)) {
+        ++visible;  // its box, for which no occluder was found
+        return false;
+      }
       for (std::size_t i = 2; i < face.size(); ++i) {
         std::array<Point3d, 3> const triangle{face[0], face[i - 1], face[i]};
         visible += !disjoint || !search.find_for_face(target_of(triangle));
