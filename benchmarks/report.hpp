@@ -139,4 +139,18 @@ double median_seconds(int runs, double budget, Run&& run)
   return times[times.size() / 2];
 }
 
+/// Median seconds of each of two, run in turn, so that a machine that slows down slows both.
+template <class A, class B>
+std::pair<double, double> medians_in_turn(int runs, A&& a, B&& b)
+{
+  std::vector<double> of_a, of_b;
+  for (int i = 0; i < runs; ++i) {
+    of_a.push_back(median_seconds(1, 0, a));
+    of_b.push_back(median_seconds(1, 0, b));
+  }
+  std::ranges::sort(of_a);
+  std::ranges::sort(of_b);
+  return {of_a[of_a.size() / 2], of_b[of_b.size() / 2]};
+}
+
 }  // namespace visibility::bench

@@ -5,41 +5,56 @@
 
 namespace visibility::bench::strong_occlusion {
 
+namespace {
+
+struct Case {
+  std::string scene;
+  double side;
+  bool one_by_one;  ///< also each optimization alone: takes minutes in a large scene
+};
+
+void one_case(Report& report, Case const& c, int runs)
+{
+  Scene const scene = generate(c.scene);
+  PreparedScene const prepared(scene);
+  auto const cell = ground_cell(c.side);
+  auto& table = report.table("Optimizations (section 5), " + c.scene + ", cell of side " + std::to_string(int(c.side)) +
+                               ", face granularity",
+                             {"optimizations", "visible", "targets", "candidates", "rays", "boxes probed", "ms"});
+  std::vector<std::uint32_t> reference;
+  auto const add = [&](std::string const& name, Options const& o) {
+    PotentiallyVisibleSet set;
+    double const seconds = median_seconds(runs, 2, [&] { set = StrongOcclusion<>(o)(prepared, cell); });
+    if (reference.empty()) reference = set.visible;
+    if (set.visible != reference) throw std::logic_error("'" + name + "' changes the set");
+    auto const& s = set.statistics;
+    table.add({name, double(set.visible.size()), s.at("targets"), s.at("candidates"), s.at("rays"), s.at("probes"),
+               1e3 * seconds});
+  };
+  add("all", Options{});
+  Options const none = Options::naive(Options{}.granularity);
+  if (c.one_by_one) add("none", none);
+  for (auto const& [name, flag] : switches()) {
+    if (!c.one_by_one) break;
+    Options o = none;
+    o.*flag = true;
+    add("only " + name, o);
+  }
+  for (auto const& [name, flag] : switches()) {
+    if (!c.one_by_one && flag == &Options::leading_ray) continue;  // minutes
+    Options o;
+    o.*flag = false;
+    add("all but " + name, o);
+  }
+}
+
+}  // namespace
+
 void optimizations(Report& report, Size size)
 {
-  Scene const scene = generate(city(size));
-  PreparedScene const prepared(scene);
-  std::vector<double> const sides = size == Size::full ? std::vector<double>{80, 20} : std::vector<double>{20};
-  for (double const side : sides) {
-    auto const cell = ground_cell(side);
-    auto& table =
-      report.table("Optimizations (section 5), cell of side " + std::to_string(int(side)) + ", face granularity",
-                   {"optimizations", "visible", "targets", "candidates", "rays", "boxes probed", "ms"});
-    std::vector<std::uint32_t> reference;
-    auto const add = [&](std::string const& name, Options const& o) {
-      PotentiallyVisibleSet set;
-      double const seconds =
-        median_seconds(size == Size::full ? 21 : 1, 2, [&] { set = StrongOcclusion<>(o)(prepared, cell); });
-      if (reference.empty()) reference = set.visible;
-      if (set.visible != reference) throw std::logic_error("'" + name + "' changes the set");
-      auto const& s = set.statistics;
-      table.add({name, double(set.visible.size()), s.at("targets"), s.at("candidates"), s.at("rays"), s.at("probes"),
-                 1e3 * seconds});
-    };
-    Options const none = Options::naive(Options{}.granularity);
-    add("all", Options{});
-    add("none", none);
-    for (auto const& [name, flag] : switches()) {
-      Options o = none;
-      o.*flag = true;
-      add("only " + name, o);
-    }
-    for (auto const& [name, flag] : switches()) {
-      Options o;
-      o.*flag = false;
-      add("all but " + name, o);
-    }
-  }
+  if (size == Size::smoke) return one_case(report, {city(size), 20, true}, 1);
+  for (auto const& c : {Case{"city", 80, true}, Case{"city", 20, true}, Case{"city,n=751000", 20, false}})
+    one_case(report, c, 21);
 }
 
 }  // namespace visibility::bench::strong_occlusion

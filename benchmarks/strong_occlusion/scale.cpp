@@ -26,15 +26,9 @@ void scale(Report& report, Size size)
                               Place{"open ground", 130, 130}, Place{"line through corners", 0, 500}}) {
       auto const cell = ground_cell(20, place.x, place.y);
       std::size_t visible = 0;
-      // In turn, so that a machine that slows down slows both.
-      std::vector<double> exact, rounded;
-      for (int i = 0; i < (size == Size::full ? 15 : 1); ++i) {
-        exact.push_back(median_seconds(1, 0, [&] { visible = StrongOcclusion<>()(*prepared, cell).visible.size(); }));
-        rounded.push_back(median_seconds(1, 0, [&] { StrongOcclusion<Double>()(*prepared, cell); }));
-      }
-      std::ranges::sort(exact);
-      std::ranges::sort(rounded);
-      double const e = exact[exact.size() / 2], d = rounded[rounded.size() / 2];
+      auto const [e, d] = medians_in_turn(
+        size == Size::full ? 15 : 1, [&] { visible = StrongOcclusion<>()(*prepared, cell).visible.size(); },
+        [&] { StrongOcclusion<Double>()(*prepared, cell); });
       table.add({double(scene.boxes.size()), build, place.name, double(visible), 1e3 * e, 1e6 * e / double(visible),
                  1e3 * d, e / d});
     }
