@@ -17,15 +17,4 @@ Options as_published()
   return o;
 }
 
-std::vector<std::pair<std::string, bool Options::*>> switches()
-{
-  return {{"1 leading ray", &Options::leading_ray},
-          {"2 hidden bodies skipped", &Options::skip_hidden},
-          {"3 hull rays", &Options::hull_rays},
-          {"4 groups", &Options::groups},
-          {"5 cache", &Options::cache},
-          {"visible first", &Options::visible_first},
-          {"shaft", &Options::shaft}};
-}
-
 }  // namespace visibility::bench::strong_occlusion

@@ -6,8 +6,6 @@
 #include "visibility/scene/view_cell.hpp"
 
 #include <string>
-#include <utility>
-#include <vector>
 
 /// The experiments of [CohenOr98, 6], and our own, each one file: fills a report with ours beside the paper's numbers.
 namespace visibility::bench::strong_occlusion {
@@ -30,7 +28,5 @@ ViewCell ground_cell(double side, double x = 0, double y = 0);
 using Options = visibility::strong_occlusion::Options;
 /// What the paper implemented: the leading ray, and 64 sight lines for every verdict.
 Options as_published();
-/// The optimizations by name.
-std::vector<std::pair<std::string, bool Options::*>> switches();
 
 }  // namespace visibility::bench::strong_occlusion

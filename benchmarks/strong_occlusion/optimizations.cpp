@@ -34,17 +34,17 @@ void one_case(Report& report, Case const& c, int runs)
   add("all", Options{});
   Options const none = Options::naive(Options{}.granularity);
   if (c.one_by_one) add("none", none);
-  for (auto const& [name, flag] : switches()) {
+  for (auto const& [name, flag] : visibility::strong_occlusion::optimizations) {
     if (!c.one_by_one) break;
     Options o = none;
     o.*flag = true;
-    add("only " + name, o);
+    add("only " + std::string(name), o);
   }
-  for (auto const& [name, flag] : switches()) {
+  for (auto const& [name, flag] : visibility::strong_occlusion::optimizations) {
     if (!c.one_by_one && flag == &Options::leading_ray) continue;  // minutes
     Options o;
     o.*flag = false;
-    add("all but " + name, o);
+    add("all but " + std::string(name), o);
   }
 }
 

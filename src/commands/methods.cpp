@@ -15,26 +15,13 @@ namespace visibility::commands {
 
 namespace {
 
-using Switch = bool strong_occlusion::Options::*;
-
-std::vector<std::pair<std::string, Switch>> const& optimizations()
-{
-  using O = strong_occlusion::Options;
-  static std::vector<std::pair<std::string, Switch>> const all{{"leading-ray", &O::leading_ray},
-                                                               {"skip-hidden", &O::skip_hidden},
-                                                               {"hull-rays", &O::hull_rays},
-                                                               {"groups", &O::groups},
-                                                               {"cache", &O::cache},
-                                                               {"visible-first", &O::visible_first},
-                                                               {"shaft", &O::shaft}};
-  return all;
-}
+using strong_occlusion::optimizations;
 
 strong_occlusion::Options strong_occlusion_options(MethodArguments const& a)
 {
   strong_occlusion::Options options;
   options.granularity = strong_occlusion::granularity_from_string(a.granularity);
-  for (auto const& [name, optimization] : optimizations())
+  for (auto const& [name, optimization] : optimizations)
     if (std::ranges::find(a.without, name) != a.without.end()) options.*optimization = false;
   return options;
 }
@@ -72,7 +59,7 @@ void MethodArguments::add_to(CLI::App& command)
   command.add_flag("--no-inner-bodies", no_inner_bodies,
                    "strong-occlusion: do not look for convex occluders inside non-convex objects");
   std::string names;
-  for (auto const& [name, optimization] : optimizations()) names += (names.empty() ? "" : ", ") + name;
+  for (auto const& [name, optimization] : optimizations) names += (names.empty() ? "" : ", ") + std::string(name);
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
     ->delimiter(',');
   add_count_option(command, "--rays", rays, "sampling: rays to shoot (default 1000000)");
@@ -88,7 +75,7 @@ void MethodArguments::validate() const
   require_one_of("--granularity", granularity, granularities);
   require_one_of("--coarse-granularity", coarse_granularity, granularities);
   std::vector<std::string> names;
-  for (auto const& [name, optimization] : optimizations()) names.push_back(name);
+  for (auto const& [name, optimization] : optimizations) names.emplace_back(name);
   for (auto const& name : without) require_one_of("--without", name, names);
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
@@ -111,7 +98,7 @@ std::map<std::string, std::string> MethodArguments::options() const
   std::map<std::string, std::string> out{{"granularity", granularity},
                                          {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
-  for (auto const& [name, optimization] : optimizations()) out[name] = options.*optimization ? "on" : "off";
+  for (auto const& [name, optimization] : optimizations) out[std::string(name)] = options.*optimization ? "on" : "off";
   return out;
 }
 

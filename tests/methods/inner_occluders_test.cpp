@@ -136,8 +136,7 @@ TEST_CASE("inner occluders: optimizations and refinement change nothing with the
     for (auto const g : {strong_occlusion::Granularity::object, strong_occlusion::Granularity::face}) {
       auto const expected = StrongOcclusion<>(O::naive(g))(prepared, cell).visible;
       REQUIRE(StrongOcclusion<>({.granularity = g})(prepared, cell).visible == expected);
-      for (auto const flag :
-           {&O::leading_ray, &O::skip_hidden, &O::hull_rays, &O::groups, &O::cache, &O::visible_first, &O::shaft}) {
+      for (auto const& [name, flag] : strong_occlusion::optimizations) {
         O options{.granularity = g};
         options.*flag = false;
         REQUIRE(StrongOcclusion<>(options)(prepared, cell).visible == expected);

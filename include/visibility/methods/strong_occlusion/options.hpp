@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace visibility::strong_occlusion {
 
@@ -62,5 +65,16 @@ struct Options {
     return {granularity, false, false, false, false, false, false, false};
   }
 };
+
+/// The switches by name.
+inline constexpr std::array<std::pair<std::string_view, bool Options::*>, 7> optimizations{{
+  {"leading-ray", &Options::leading_ray},
+  {"skip-hidden", &Options::skip_hidden},
+  {"hull-rays", &Options::hull_rays},
+  {"groups", &Options::groups},
+  {"cache", &Options::cache},
+  {"visible-first", &Options::visible_first},
+  {"shaft", &Options::shaft},
+}};
 
 }  // namespace visibility::strong_occlusion
