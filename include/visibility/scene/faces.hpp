@@ -66,9 +66,10 @@ inline bool has_polygons(ConvexBodies::Body const& body)
 }
 
 /// Calls visit(vertices) for the faces of a body, each a convex polygon given by its vertices in order around it (one
-/// way or the other), until visit returns true; returns whether it did. Left out are the faces of solids that have the whole cell behind their
-/// plane: the body itself hides them, since a sight line from the cell's interior to the face's relative interior runs
-/// through the body before it arrives. A ball is visited as its bounding box, as is the stand-in for an invalid prism.
+/// way or the other), until visit returns true; returns whether it did. Left out are the faces of solids that have the
+/// whole cell behind their plane: the body itself hides them, since a sight line from the cell's interior to the face's
+/// relative interior runs through the body before it arrives. A ball is visited as its bounding box, as is the stand-in
+/// for an invalid prism.
 template <class Visit>
 bool any_face_towards(ViewCell const& cell, ConvexBodies const& scene, ConvexBodies::Body const& body, Visit&& visit)
 {
