@@ -47,3 +47,15 @@ TEST_CASE("survey: counts what the method hides, whatever the optimizations", "[
   REQUIRE(all.visible_polygons == none.visible_polygons);
   REQUIRE(all.counts.rays <= none.counts.rays);
 }
+
+TEST_CASE("survey: a body around the cell is not hidden, though none of its faces looks at the cell",
+          "[methods][regression]")
+{
+  SceneBuilder builder("test");
+  builder.begin_object("around");
+  builder.add(Box{{-9, -9, -9}, {9, 9, 9}});
+  Scene const scene = builder.finish();
+  auto const s = survey<Filtered>(PreparedScene(scene), ViewCell(Box{{0, 0, 0}, {1, 1, 1}}), {});
+  REQUIRE(s.hidden_bodies == 0);
+  REQUIRE(s.hidden_piecewise == 0);
+}

@@ -53,7 +53,7 @@ Survey survey(PreparedScene const& scene, ViewCell const& cell, Options const& o
       return false;
     });
     out.visible_polygons += visible;
-    out.hidden_piecewise += visible == 0;
+    out.hidden_piecewise += disjoint && visible == 0;
   };
   scene.object_hierarchy().front_to_back(
     cell.bounds(),
