@@ -59,16 +59,6 @@ void require_inside(ConvexPrism const& piece, std::vector<ConvexPrism> const& pa
 
 double area(Ring const& ring) { return CGAL::to_double(doubled_area(exact_ring(ring))) / 2; }
 
-Ring star(Random& random, int n, double lo, double hi)
-{
-  Ring ring;
-  for (int i = 0; i < n; ++i) {
-    double const angle = 2 * 3.14159265358979 * i / n, r = random.uniform(lo, hi);
-    ring.push_back({r * std::cos(angle), r * std::sin(angle)});
-  }
-  return ring;
-}
-
 }  // namespace
 
 TEST_CASE("convex cover: an L is its two bars", "[scene]")

@@ -1,3 +1,4 @@
+#include "meshes.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 
@@ -6,11 +7,9 @@
 #include <cmath>
 
 using namespace visibility;
-using test::Random;
+using namespace visibility::test;
 
 namespace {
-
-using Ring = std::vector<Point2d>;
 
 RationalNumber doubled_area(Ring const& ring)
 {
@@ -27,17 +26,6 @@ RationalNumber doubled_area(std::vector<ConvexPrism> const& pieces)
   RationalNumber sum(0);
   for (auto const& p : pieces) sum += doubled_area(p.footprint);
   return sum;
-}
-
-/// A star-shaped ring: simple, far from convex.
-Ring star(Random& random, int n, double lo, double hi)
-{
-  Ring ring;
-  for (int i = 0; i < n; ++i) {
-    double const angle = 2 * 3.14159265358979 * i / n, r = random.uniform(lo, hi);
-    ring.push_back({r * std::cos(angle), r * std::sin(angle)});
-  }
-  return ring;
 }
 
 }  // namespace

@@ -30,6 +30,17 @@ inline Ring plan_of(int kind)
 }
 inline constexpr int plan_kinds = 5;
 
+/// A star-shaped ring: simple, far from convex.
+inline Ring star(Random& random, int n, double lo, double hi)
+{
+  Ring ring;
+  for (int i = 0; i < n; ++i) {
+    double const angle = 2 * 3.14159265358979 * i / n, r = random.uniform(lo, hi);
+    ring.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  return ring;
+}
+
 /// The ring turned and moved, corners rounded.
 inline Ring turned(Ring ring, double angle, double dx, double dy)
 {
