@@ -39,6 +39,7 @@
 #include "visibility/scene/faces.hpp"
 #include "visibility/scene/footprint.hpp"
 #include "visibility/scene/generators.hpp"
+#include "visibility/scene/height_field.hpp"
 #include "visibility/scene/inner_bodies.hpp"
 #include "visibility/scene/object.hpp"
 #include "visibility/scene/occluders.hpp"

@@ -1,0 +1,69 @@
+#pragma once
+
+#include "visibility/scene/bounding_hierarchy.hpp"
+#include "visibility/scene/scene.hpp"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace visibility {
+
+/// A 2.5D scene: columns, each a convex polygon in plan with a planar top, solid from the top down without end, and the
+/// edges of their tops. A sight line that stays above all top edges that it crosses in plan stays above all columns.
+///
+/// Boxes and convex solids give their upper facets, prisms a convex partition of their footprint, triangles (of any
+/// orientation) themselves; vertical triangles give curtains, columns without width. Everything below an upper surface
+/// counts as solid, so the reading is faithful where nobody looks below one: `raised()` says where that is in doubt.
+/// Built once; const afterwards. Keeps a reference to the scene, which must outlive it.
+/// Source: [Bittner05, §3]; proofs/exact_2_5d.md.
+class HeightField {
+public:
+  /// Corners `first` to `first + count` of `corners()`, counterclockwise in plan, their tops in one plane; or, for a
+  /// curtain, the two ends of an edge.
+  struct Column {
+    std::uint32_t first, count;
+    std::uint32_t object;
+    bool is_curtain() const { return count == 2; }
+    bool is_flat = true;  ///< all corners equally high
+  };
+  /// A side of a column, seen from above the column lies to the left of a -> b. A curtain has one edge for both sides.
+  struct TopEdge {
+    Point3d a, b;
+    std::uint32_t column;
+  };
+
+  /// Throws BadInput for a scene with balls, which have no top edges.
+  explicit HeightField(Scene const& scene);
+
+  Scene const& scene() const { return *scene_; }
+  std::span<Column const> columns() const { return columns_; }  ///< in object order
+  std::span<Point3d const> corners(Column const& c) const { return {corners_.data() + c.first, c.count}; }
+  /// In object order. Left out are sides that two columns of an object share where the top is flat or a valley: a sight
+  /// line above all other edges is above these.
+  std::span<TopEdge const> edges() const { return edges_; }
+  std::uint32_t object_of(TopEdge const& e) const { return columns_[e.column].object; }
+
+  /// Items: positions in edges(). Bounds reach from the lower to the higher end of the edge.
+  BoundingHierarchy const& edge_hierarchy() const { return edge_hierarchy_; }
+  /// Items: positions in columns(). Bounds are those of the tops.
+  BoundingHierarchy const& column_hierarchy() const { return column_hierarchy_; }
+
+  double ground() const { return ground_; }  ///< least height in the scene
+  /// Objects of which some solid or vertical face ends above the ground: sight lines may pass below it, which a height
+  /// field does not know.
+  std::size_t raised() const { return raised_; }
+  /// Prisms with an invalid footprint: their walls are curtains.
+  std::size_t invalid_footprints() const { return invalid_footprints_; }
+
+private:
+  Scene const* scene_;
+  std::vector<Point3d> corners_;
+  std::vector<Column> columns_;
+  std::vector<TopEdge> edges_;
+  BoundingHierarchy edge_hierarchy_, column_hierarchy_;
+  double ground_ = 0;
+  std::size_t raised_ = 0, invalid_footprints_ = 0;
+};
+
+}  // namespace visibility

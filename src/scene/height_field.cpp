@@ -1,0 +1,57 @@
+#include "visibility/scene/height_field.hpp"
+
+#include "height_field_columns.hpp"
+
+#include "visibility/scene/scene_builder.hpp"
+
+#include <algorithm>
+
+namespace visibility {
+
+namespace {
+
+Box bounds_of(std::span<Point3d const> points)
+{
+  Box b;
+  for (auto const& p : points) b.extend(p);
+  return b;
+}
+
+/// The lowest point of what occludes in the object; for open meshes, of its triangles.
+double lowest_point(Scene const& scene, Object const& object) { return bounding_box(scene, object).min.z; }
+
+}  // namespace
+
+HeightField::HeightField(Scene const& scene) : scene_(&scene)
+{
+  if (!scene.balls.empty()) {
+    auto const it = std::ranges::find_if(scene.objects, [](Object const& o) { return o.balls.size() > 0; });
+    throw BadInput("object '" + it->name + "' is a ball, which has no top edges: exact-2.5d takes boxes, prisms, " +
+                   "convex solids and triangles");
+  }
+  ground_ = bounding_box(scene).min.z;
+  height_field::ObjectColumns builder(scene);
+  std::vector<Box> edge_bounds, column_bounds;
+  for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
+    auto const& object = scene.objects[o];
+    raised_ += lowest_point(scene, object) > ground_;
+    auto const& [columns, edges, invalid] = builder.of(object);
+    invalid_footprints_ += invalid;
+    auto const base = static_cast<std::uint32_t>(columns_.size());
+    for (auto const& c : columns) {
+      auto const first = static_cast<std::uint32_t>(corners_.size());
+      bool const flat = std::ranges::all_of(c, [&](Point3d const& p) { return p.z == c.front().z; });
+      corners_.insert(corners_.end(), c.begin(), c.end());
+      columns_.push_back({first, static_cast<std::uint32_t>(c.size()), o, flat});
+      column_bounds.push_back(bounds_of(c));
+    }
+    for (auto const& e : edges) {
+      edges_.push_back({e.a, e.b, base + e.column});
+      edge_bounds.push_back(bounds_of(std::array{e.a, e.b}));
+    }
+  }
+  edge_hierarchy_ = BoundingHierarchy(edge_bounds);
+  column_hierarchy_ = BoundingHierarchy(column_bounds);
+}
+
+}  // namespace visibility

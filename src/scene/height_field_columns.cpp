@@ -1,0 +1,137 @@
+#include "height_field_columns.hpp"
+
+#include "visibility/predicates/orient2d.hpp"
+#include "visibility/predicates/orient3d.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace visibility::height_field {
+
+namespace {
+
+bool less_in_plan(Point3d const& p, Point3d const& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
+bool same_in_plan(Point3d const& p, Point3d const& q) { return p.x == q.x && p.y == q.y; }
+
+}  // namespace
+
+auto ObjectColumns::of(Object const& object) -> Result const&
+{
+  result_ = {};
+  for (auto i = object.boxes.first; i < object.boxes.last; ++i) {
+    Box const& b = scene_.boxes[i];
+    Point3d const p00{b.min.x, b.min.y, b.max.z}, p10{b.max.x, b.min.y, b.max.z};
+    Point3d const p01{b.min.x, b.max.y, b.max.z}, p11{b.max.x, b.max.y, b.max.z};
+    if (b.min.x < b.max.x && b.min.y < b.max.y)
+      result_.columns.push_back({p00, p10, p11, p01});
+    else if (!same_in_plan(p00, p11))
+      add_curtain(p00, p11);
+  }
+  for (auto i = object.prisms.first; i < object.prisms.last; ++i) add(scene_.prisms[i]);
+  for (auto i = object.polyhedra.first; i < object.polyhedra.last; ++i) add(scene_.polyhedra[i]);
+  for (auto i = object.triangles.first; i < object.triangles.last; ++i) {
+    auto const [a, b, c] = scene_.triangle(i).vertices;
+    add_triangle(a, b, c);
+  }
+  find_edges();
+  return result_;
+}
+
+void ObjectColumns::add(Prism const& prism)
+{
+  auto const pieces = convex_partition(prism);
+  for (auto const& piece : pieces) {
+    auto& column = result_.columns.emplace_back();
+    for (auto const& p : piece.footprint) column.push_back({p.x, p.y, piece.top});
+  }
+  if (!pieces.empty()) return;
+  ++result_.invalid_footprints;
+  for (auto const& ring : prism.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      auto const &p = ring[i], &q = ring[(i + 1) % ring.size()];
+      if (!(p == q)) add_curtain({p.x, p.y, prism.top}, {q.x, q.y, prism.top});
+    }
+}
+
+void ObjectColumns::add(ConvexPolyhedron const& polyhedron)
+{
+  for (auto const& f : polyhedron.facets) {
+    auto const &a = polyhedron.vertices[f.vertices[0]], &b = polyhedron.vertices[f.vertices[1]],
+               &c = polyhedron.vertices[f.vertices[2]];
+    if (is_positive(orient2d<Filtered>(horizontal(a), horizontal(b), horizontal(c)))) add_triangle(a, b, c);
+  }
+}
+
+void ObjectColumns::add_triangle(Point3d const& a, Point3d const& b, Point3d const& c)
+{
+  switch (orient2d<Filtered>(horizontal(a), horizontal(b), horizontal(c))) {
+  case Sign::positive: result_.columns.push_back({a, b, c}); return;
+  case Sign::negative: result_.columns.push_back({a, c, b}); return;
+  case Sign::zero: break;
+  }
+  // Vertical: the upper boundary between its outermost corners.
+  std::array<Point3d, 3> p{a, b, c};
+  std::ranges::sort(p, less_in_plan);
+  if (same_in_plan(p[0], p[2])) return;  // a vertical line blocks nothing that matters
+  add_curtain(p[0], p[2]);
+  if (!same_in_plan(p[0], p[1])) add_curtain(p[0], p[1]);
+  if (!same_in_plan(p[1], p[2])) add_curtain(p[1], p[2]);
+}
+
+void ObjectColumns::add_curtain(Point3d const& a, Point3d const& b) { result_.columns.push_back({a, b}); }
+
+/// Whether another side over the same piece of the plan is at least as high at both ends. Of equals the first counts.
+bool ObjectColumns::is_covered(std::vector<Side> const& group, Side const& curtain) const
+{
+  return std::ranges::any_of(group, [&](Side const& s) {
+    if (&s == &curtain || s.a.z < curtain.a.z || s.b.z < curtain.b.z) return false;
+    bool const equal = s.a.z == curtain.a.z && s.b.z == curtain.b.z;
+    return !equal || result_.columns[s.column].size() > 2 || s.column < curtain.column;
+  });
+}
+
+/// Whether the side is one that exactly two columns share, at equal heights, with a top that is flat there or a valley.
+bool ObjectColumns::is_redundant(std::vector<Side> const& group, Side const& side) const
+{
+  Side const* other = nullptr;
+  for (auto const& s : group) {
+    if (&s == &side || result_.columns[s.column].size() == 2) continue;
+    if (other != nullptr || s.forward == side.forward || !(s.a == side.a) || !(s.b == side.b)) return false;
+    other = &s;
+  }
+  if (other == nullptr) return false;
+  auto const& mine = result_.columns[side.column];
+  // No corner of the other column below this one's plane.
+  return std::ranges::all_of(result_.columns[other->column], [&](Point3d const& p) {
+    return !is_negative(orient3d<Filtered>(mine[0], mine[1], mine[2], p));
+  });
+}
+
+void ObjectColumns::find_edges()
+{
+  std::vector<Side> sides;
+  for (std::uint32_t c = 0; c < result_.columns.size(); ++c) {
+    auto const& corners = result_.columns[c];
+    std::size_t const n = corners.size() == 2 ? 1 : corners.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      auto const &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      bool const forward = less_in_plan(a, b);
+      sides.push_back({forward ? a : b, forward ? b : a, forward, c});
+    }
+  }
+  auto const key = [](Side const& s) { return std::tie(s.a.x, s.a.y, s.b.x, s.b.y); };
+  std::ranges::stable_sort(sides, {}, [&](Side const& s) { return key(s); });
+  std::vector<Side> group;
+  for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
+    while (j < sides.size() && key(sides[j]) == key(sides[i])) ++j;
+    group.assign(sides.begin() + static_cast<std::ptrdiff_t>(i), sides.begin() + static_cast<std::ptrdiff_t>(j));
+    for (auto const& s : group) {
+      bool const curtain = result_.columns[s.column].size() == 2;
+      if (curtain ? is_covered(group, s) : is_redundant(group, s)) continue;
+      result_.edges.push_back({s.forward ? s.a : s.b, s.forward ? s.b : s.a, s.column});
+    }
+  }
+  std::ranges::stable_sort(result_.edges, {}, &Edge::column);
+}
+
+}  // namespace visibility::height_field
