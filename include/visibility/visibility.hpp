@@ -54,6 +54,8 @@
 #include "visibility/scene/view_cell.hpp"
 #include "visibility/scene/write_scene.hpp"
 
+#include "visibility/line_space/portal_sequence.hpp"
+
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/sampling/options.hpp"
 #include "visibility/methods/strong_occlusion/counts.hpp"
