@@ -10,10 +10,12 @@ namespace visibility {
 
 namespace {
 
+/// Down to the bottom of the column or curtain.
 Box bounds_of(std::span<Point3d const> points)
 {
   Box b;
   for (auto const& p : points) b.extend(p);
+  b.min.z = std::min(HeightField::bottomless, 2 * b.min.z);
   return b;
 }
 

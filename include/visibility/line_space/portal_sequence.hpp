@@ -35,9 +35,16 @@ struct PortalSequence {
     friend bool operator==(SidedPoint const&, SidedPoint const&) = default;
   };
 
+  /// The same for a point that had to be constructed: the crossing of two edges in plan.
+  struct SidedConstructedPoint {
+    Point2q point;
+    Side side;
+  };
+
   Edge source, target;
   std::vector<Edge> occluders;
   std::vector<SidedPoint> points;
+  std::vector<SidedConstructedPoint> constructed_points;
 };
 
 /// Makes the end points of all edges of the sequence members of its `points`.

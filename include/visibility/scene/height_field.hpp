@@ -44,9 +44,11 @@ public:
   std::span<TopEdge const> edges() const { return edges_; }
   std::uint32_t object_of(TopEdge const& e) const { return columns_[e.column].object; }
 
-  /// Items: positions in edges(). Bounds reach from the lower to the higher end of the edge.
+  /// Lower ends of bounding boxes: far enough below everything to stand for minus infinity.
+  static constexpr double bottomless = -0x1p100;
+  /// Items: positions in edges(). Bounds are those of the curtains, from the higher end down without end.
   BoundingHierarchy const& edge_hierarchy() const { return edge_hierarchy_; }
-  /// Items: positions in columns(). Bounds are those of the tops.
+  /// Items: positions in columns(). Bounds are those of the columns, down without end.
   BoundingHierarchy const& column_hierarchy() const { return column_hierarchy_; }
 
   double ground() const { return ground_; }  ///< least height in the scene

@@ -1,0 +1,199 @@
+#pragma once
+
+#include "visibility/line_space/interval_set.hpp"
+#include "visibility/line_space/portal_sequence.hpp"
+#include "visibility/predicates/orient2d.hpp"
+#include "visibility/predicates/orient3d.hpp"
+
+#include <array>
+#include <optional>
+#include <stdexcept>
+#include <type_traits>
+#include <vector>
+
+namespace visibility {
+
+/// A polynomial of degree one in each of two parameters: the position s on the source edge and t on the target edge,
+/// both from the left end (0) to the right end (1). Every condition on a sight line that joins the two is one:
+/// the side of a plan point, and the side of a third line.
+template <class NT>
+struct BilinearForm {
+  NT c, s, t, st;
+
+  static BilinearForm from_corners(NT const& left_left, NT const& right_left, NT const& left_right,
+                                   NT const& right_right)
+  {
+    return {left_left, right_left - left_left, left_right - left_left,
+            right_right - right_left - left_right + left_left};
+  }
+  BilinearForm swapped() const { return {c, t, s, st}; }
+};
+
+/// The sight lines of a portal sequence, exactly, by conics in 2D line space. With s and t as coordinates of line space
+/// a conic is a hyperbola: at a fixed s every condition bounds t from one side by a fraction of linear functions of s,
+/// so some t is left iff each lower bound is below each upper bound, a quadratic inequality in s for each pair.
+/// Degree in input coordinates: 3 for a form, 6 for a quadratic, 12 for its discriminant.
+/// Source: design of this library; proofs/exact_2_5d.md. Independent of the Pluecker cone (stabbing_line.hpp).
+template <class NT>
+class PortalDecision {
+public:
+  /// Requires: rational or floating-point numbers if the sequence has constructed points.
+  explicit PortalDecision(PortalSequence const& sequence)
+  {
+    for (auto const& f : sequence.occluders) add(occluder_form(sequence, f));
+    for (auto const& x : sequence.points) add(point_form(sequence, Point2<NT>{NT(x.point.x), NT(x.point.y)}, x.side));
+    for (auto const& x : sequence.constructed_points)
+      add(point_form(sequence, Point2<NT>{number(x.point.x), number(x.point.y)}, x.side));
+  }
+
+  /// A sight line by its parameters on source and target.
+  struct SightLine {
+    RationalNumber source, target;
+  };
+
+  /// Empty if there is none.
+  std::optional<SightLine> find() const
+  {
+    auto const open = positions(forms_);
+    if (open.empty()) return std::nullopt;
+    auto const s = dyadic_inside<NT>(open.intervals().front());
+    return SightLine{rational(s.p) / rational(s.r), middle_target(rational(s.p) / rational(s.r))};
+  }
+  bool exists() const { return !positions(forms_).empty(); }
+
+  /// The parts of the source edge that see the target, and those of the target edge that are seen: the antipenumbra's
+  /// traces. End points are exact quadratic numbers.
+  IntervalSet<NT> source_parts() const { return positions(forms_); }
+  IntervalSet<NT> target_parts() const
+  {
+    std::vector<BilinearForm<NT>> swapped;
+    for (auto const& f : forms_) swapped.push_back(f.swapped());
+    return positions(swapped);
+  }
+
+private:
+  using Form = BilinearForm<NT>;
+  using Linear = std::array<NT, 2>;  // constant and slope
+
+  static NT number(RationalNumber const& x)
+  {
+    if constexpr (std::is_same_v<NT, RationalNumber>)
+      return x;
+    else if constexpr (std::is_same_v<NT, double>)
+      return CGAL::to_double(x);
+    else
+      throw std::logic_error("constructed points need a field");
+  }
+  static RationalNumber rational(RationalNumber const& x) { return x; }
+  static RationalNumber rational(double x) { return RationalNumber(x); }
+#ifdef CGAL_HAS_MPZF
+  static RationalNumber rational(ExactNumber const& x) { return x.operator CGAL::Gmpq(); }
+#endif
+
+  static Form occluder_form(PortalSequence const& q, PortalSequence::Edge const& f)
+  {
+    auto const above = [&](Point3d const& a, Point3d const& b) {
+      return detail::Orient3dFormula{}(NT(a.x), NT(a.y), NT(a.z), NT(b.x), NT(b.y), NT(b.z), NT(f.right.x),
+                                       NT(f.right.y), NT(f.right.z), NT(f.left.x), NT(f.left.y), NT(f.left.z));
+    };
+    return Form::from_corners(above(q.source.left, q.target.left), above(q.source.right, q.target.left),
+                              above(q.source.left, q.target.right), above(q.source.right, q.target.right));
+  }
+
+  static Form point_form(PortalSequence const& q, Point2<NT> const& x, PortalSequence::Side side)
+  {
+    auto const left = [&](Point3d const& a, Point3d const& b) {
+      NT const turn = detail::Orient2dFormula{}(NT(a.x), NT(a.y), NT(b.x), NT(b.y), x.x, x.y);
+      return side == PortalSequence::Side::left ? turn : NT(NT(0) - turn);
+    };
+    return Form::from_corners(left(q.source.left, q.target.left), left(q.source.right, q.target.left),
+                              left(q.source.left, q.target.right), left(q.source.right, q.target.right));
+  }
+
+  /// Leaves out what holds on the whole open square.
+  void add(Form const& f)
+  {
+    NT const right_left = f.c + f.s, left_right = f.c + f.t, right_right = right_left + f.t + f.st;
+    std::array const signs{sign_of(f.c), sign_of(right_left), sign_of(left_right), sign_of(right_right)};
+    bool const never_negative = std::ranges::none_of(signs, [](Sign s) { return is_negative(s); });
+    bool const somewhere_positive = std::ranges::any_of(signs, [](Sign s) { return is_positive(s); });
+    if (!(never_negative && somewhere_positive)) forms_.push_back(f);
+  }
+
+  /// The s in (0, 1) for which some t in (0, 1) makes all forms positive.
+  static IntervalSet<NT> positions(std::vector<Form> const& forms);
+  /// With all slopes in t of constant sign on the interval.
+  static IntervalSet<NT> positions(std::vector<Form> const& forms, QuadraticNumber<NT> const& low,
+                                   QuadraticNumber<NT> const& high);
+  RationalNumber middle_target(RationalNumber const& s) const;
+
+  std::vector<Form> forms_;
+};
+
+template <class NT>
+IntervalSet<NT> PortalDecision<NT>::positions(std::vector<Form> const& forms)
+{
+  // The slope of a form in t is linear in s: cut (0, 1) where one changes its sign.
+  std::vector<QuadraticNumber<NT>> cuts{QuadraticNumber<NT>::integer(0), QuadraticNumber<NT>::integer(1)};
+  for (auto const& f : forms) {
+    if (is_zero(sign_of(f.st))) continue;
+    auto const cut = QuadraticNumber<NT>::fraction(NT(0) - f.t, f.st);
+    if (is_positive(compare(cut, cuts[0])) && is_negative(compare(cut, cuts[1]))) cuts.push_back(cut);
+  }
+  std::ranges::sort(cuts, [](auto const& a, auto const& b) { return is_negative(compare(a, b)); });
+  IntervalSet<NT> out;
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+    if (is_negative(compare(cuts[i], cuts[i + 1]))) out.append(positions(forms, cuts[i], cuts[i + 1]));
+  return out;
+}
+
+template <class NT>
+IntervalSet<NT> PortalDecision<NT>::positions(std::vector<Form> const& forms, QuadraticNumber<NT> const& low,
+                                              QuadraticNumber<NT> const& high)
+{
+  struct Bound {
+    Linear value, slope;  // value(s) + slope(s) t > 0
+  };
+  IntervalSet<NT> open(low, high);
+  std::vector<Bound> lower{{{NT(0), NT(0)}, {NT(1), NT(0)}}};                              // t > 0
+  std::vector<Bound> upper{{{NT(1), NT(0)}, {NT(-1), NT(0)}}};                             // 1 - t > 0
+  NT const middle_p = low.p * high.r + high.p * low.r, middle_r = NT(2) * low.r * high.r;  // both are fractions
+  for (auto const& f : forms) {
+    Bound const b{{f.c, f.s}, {f.t, f.st}};
+    switch (sign_of(NT(f.t * middle_r + f.st * middle_p))) {
+    case Sign::positive: lower.push_back(b); break;
+    case Sign::negative: upper.push_back(b); break;
+    case Sign::zero: open.keep_positive(NT(0), f.s, f.c); break;
+    }
+  }
+  // l < u for the bounds l = -value/slope of a lower and u of an upper one: value_u slope_l - value_l slope_u > 0.
+  for (auto const& l : lower)
+    for (auto const& u : upper) {
+      if (open.empty()) return open;
+      auto const product = [](Linear const& a, Linear const& b) {
+        return std::array<NT, 3>{a[1] * b[1], a[0] * b[1] + a[1] * b[0], a[0] * b[0]};
+      };
+      auto const x = product(u.value, l.slope), y = product(l.value, u.slope);
+      open.keep_positive(x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+    }
+  return open;
+}
+
+/// The middle of the positions on the target that a feasible position on the source sees.
+template <class NT>
+RationalNumber PortalDecision<NT>::middle_target(RationalNumber const& s) const
+{
+  RationalNumber low(0), high(1);
+  for (auto const& f : forms_) {
+    RationalNumber const value = rational(f.c) + rational(f.s) * s, slope = rational(f.t) + rational(f.st) * s;
+    if (is_zero(sign_of(slope))) continue;
+    RationalNumber const bound = -value / slope;
+    if (is_positive(sign_of(slope)))
+      low = std::max(low, bound);
+    else
+      high = std::min(high, bound);
+  }
+  return (low + high) / RationalNumber(2);
+}
+
+}  // namespace visibility

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "visibility/line_space/cell_outline.hpp"
+#include "visibility/scene/height_field.hpp"
+
+#include <vector>
+
+namespace visibility::exact_25d {
+
+/// What the columns in and under a view cell mean for a query; decided exactly.
+struct CellContacts {
+  /// Objects that are visible because a column of theirs meets the closed cell, or lies right under it; ascending.
+  std::vector<std::uint32_t> visible;
+  /// Edges inside the outline of columns that reach the cell's top: what they hide from part of the cell is not
+  /// modelled. Ascending.
+  std::vector<std::uint32_t> ignored_edges;
+  /// False if an edge is ignored, or if it is open whether an object is visible from right above: the set is then
+  /// conservative.
+  bool exact = true;
+};
+
+CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellOutline const& outline);
+
+}  // namespace visibility::exact_25d

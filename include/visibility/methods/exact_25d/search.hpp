@@ -1,0 +1,577 @@
+#pragma once
+
+#include "visibility/line_space/occlusion_tree.hpp"
+#include "visibility/line_space/portal_decision.hpp"
+#include "visibility/methods/exact_25d/cell_contacts.hpp"
+#include "visibility/methods/exact_25d/counts.hpp"
+#include "visibility/methods/exact_25d/options.hpp"
+#include "visibility/methods/exact_25d/sight_line_shot.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <queue>
+#include <stdexcept>
+#include <vector>
+
+namespace visibility::exact_25d {
+
+/// One query. What is hidden is proved by the occlusion tree; what is visible is proved by a sight line that is held
+/// against the whole scene. If an edge that the tree does not hold stops that line, it is inserted and the search goes
+/// on: the tree is completed where it matters, in whatever order edges arrive. proofs/exact_2_5d.md.
+template <Arithmetic A>
+class Search {
+public:
+  Search(HeightField const& field, ViewCell const& view, Options const& options)
+    : field_(field), view_(view), options_(options), cell_(view), tree_(cell_),
+      contacts_(cell_contacts(field, view, cell_)),
+      is_visible_(field.scene().objects.size()), inside_{view.bounds().min.x / 2 + view.bounds().max.x / 2,
+                                                         view.bounds().min.y / 2 + view.bounds().max.y / 2,
+                                                         view.bounds().min.z / 2 + view.bounds().max.z / 2}
+  {
+    if (!view.is_box()) {
+      Point3d sum{0, 0, 0};
+      auto const n = static_cast<double>(view.vertices().size());
+      for (auto const& v : view.vertices()) sum = {sum.x + v.x / n, sum.y + v.y / n, sum.z + v.z / n};
+      inside_ = sum;
+    }
+    for (auto const o : contacts_.visible) is_visible_[o] = true;
+  }
+
+  void run()
+  {
+    traverse();
+    for (std::size_t i = 0; i < open_.size(); ++i)
+      if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
+  }
+
+  std::vector<bool> const& is_visible() const { return is_visible_; }
+  CellContacts const& contacts() const { return contacts_; }
+  OcclusionTree<A> const& tree() const { return tree_; }
+  Counts const& counts() const { return counts_; }
+  std::vector<Witness> const& sight_lines() const { return sight_lines_; }
+
+private:
+  using Tree = OcclusionTree<A>;
+  using Index = typename Tree::Index;
+  using Edge = PortalSequence::Edge;
+  enum class Find { visible, blocked, nothing };
+  /// An edge that stops only those lines of a leaf that cross it beyond the side by which they enter the cell, and
+  /// before the target.
+  struct Ambiguous {
+    Edge edge;
+    struct Condition {
+      Edge other;
+      bool nearer;  ///< the edge must be crossed before the other, or else after it
+    };
+    boost::container::small_vector<Condition, 2> conditions;
+  };
+
+  void traverse();
+  void process(std::uint32_t edge);
+  void scan(CrossedEdge const& crossed);
+  void settle(CrossedEdge const& crossed);
+  void insert(CrossedEdge const& crossed);
+  bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines);
+
+  bool is_relevant(CrossedEdge const& crossed) const;
+  bool holds(Index leaf, Edge const& edge) const
+  {
+    return std::ranges::any_of(tree_.node(leaf).blockers, [&](auto const& b) { return b.edge == edge; });
+  }
+  bool is_ahead(Index leaf, Edge const& edge) const;
+  Funnel crossing_lines(Index leaf, Edge const& edge) const;
+  boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const;
+  bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, bool as_occluder);
+  bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
+                      bool as_occluder) const;
+  Find sample(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target);
+  Find decide(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target);
+  Find decide(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence& sequence,
+              std::vector<Ambiguous> const& ambiguous, std::size_t next, std::size_t condition);
+  Find confirm(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence const& sequence,
+               RationalNumber const& s, RationalNumber const& t);
+  template <class NT>
+  std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target);
+  bool in_interior(Point3d const& p) const;
+  void found(CrossedEdge const& crossed) { is_visible_[field_.object_of(field_.edges()[crossed.edge])] = true; }
+
+  HeightField const& field_;
+  ViewCell const& view_;
+  Options options_;
+  CellOutline cell_;
+  Tree tree_;
+  CellContacts contacts_;
+  std::vector<bool> is_visible_;
+  std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
+  std::vector<Witness> sight_lines_;
+  Point3d inside_;
+  Counts counts_;
+};
+
+/// Nearest groups of edges first.
+template <Arithmetic A>
+void Search<A>::traverse()
+{
+  auto const& hierarchy = field_.edge_hierarchy();
+  if (hierarchy.nodes().empty()) return;
+  struct Entry {
+    double distance;
+    std::uint32_t node;
+    bool operator<(Entry const& o) const { return distance > o.distance; }
+  };
+  auto const distance = [&](Box const& b) {
+    double const dx = std::max(0.0, std::max(b.min.x - cell_.centre.x, cell_.centre.x - b.max.x));
+    double const dy = std::max(0.0, std::max(b.min.y - cell_.centre.y, cell_.centre.y - b.max.y));
+    return dx * dx + dy * dy;
+  };
+  std::priority_queue<Entry> queue;
+  queue.push({0, 0});
+  while (!queue.empty()) {
+    auto const& node = hierarchy.nodes()[queue.top().node];
+    queue.pop();
+    if (options_.hierarchical_culling) {
+      ++counts_.nodes_tested;
+      if (tree_.hides(node.bounds)) {
+        ++counts_.nodes_hidden;
+        continue;
+      }
+    }
+    if (!node.is_leaf()) {
+      for (std::uint32_t c : {node.first, node.first + 1}) queue.push({distance(hierarchy.nodes()[c].bounds), c});
+      continue;
+    }
+    for (auto i = node.first; i < node.first + node.count; ++i) process(hierarchy.items()[i]);
+  }
+}
+
+template <Arithmetic A>
+void Search<A>::process(std::uint32_t edge)
+{
+  if (std::ranges::binary_search(contacts_.ignored_edges, edge)) return;
+  for (bool const from_left : {false, true})
+    if (CrossedEdge const crossed{edge, from_left}; is_relevant(crossed)) scan(crossed);
+}
+
+/// Whether the cell has points from which the edge is crossed this way, and if that means leaving a column, points
+/// above its top: otherwise the sides by which the column is entered hide the edge and what it would hide.
+template <Arithmetic A>
+bool Search<A>::is_relevant(CrossedEdge const& crossed) const
+{
+  auto const& e = field_.edges()[crossed.edge];
+  Sign const side = crossed.from_left ? Sign::positive : Sign::negative;
+  bool const is_crossed = std::ranges::any_of(cell_.corners, [&](Point3d const& c) {
+    return orient2d<A>(horizontal(e.a), horizontal(e.b), horizontal(c)) == side;
+  });
+  auto const& column = field_.columns()[e.column];
+  if (!is_crossed || !crossed.from_left || column.is_curtain()) return is_crossed;
+  auto const corners = field_.corners(column);
+  if (column.is_flat) return cell_.top > corners[0].z;
+  return std::ranges::any_of(view_.vertices(), [&](Point3d const& v) {
+    return is_positive(orient3d<A>(corners[0], corners[1], corners[2], v));
+  });
+}
+
+/// Whether lines of the leaf cross the edge beyond the cell.
+template <Arithmetic A>
+bool Search<A>::is_ahead(Index leaf, Edge const& edge) const
+{
+  auto const& n = tree_.node(leaf);
+  return plan_order<A>(gate(cell_.exit(n.exit)), gate(edge)) != PlanOrder::before;
+}
+
+template <Arithmetic A>
+Funnel Search<A>::crossing_lines(Index leaf, Edge const& edge) const
+{
+  auto const lines = tree_.node(leaf).lines.template with<A>(horizontal(edge.left), Sign::positive);
+  return lines.empty() ? lines : lines.template with<A>(horizontal(edge.right), Sign::negative);
+}
+
+/// The edges of the cell's top from which the best sight lines to a target start: of a flat top the one by which a line
+/// leaves if it falls, the one by which it enters if it rises.
+template <Arithmetic A>
+auto Search<A>::sources(Index leaf, Edge const& target) const -> boost::container::small_vector<Edge, 2>
+{
+  auto const& n = tree_.node(leaf);
+  boost::container::small_vector<Edge, 2> out;
+  if (!cell_.flat || std::min(target.left.z, target.right.z) < cell_.top) out.push_back(cell_.exit(n.exit));
+  if (!cell_.flat || std::max(target.left.z, target.right.z) >= cell_.top) out.push_back(cell_.entry(n.entry));
+  for (auto const& e : cell_.inner) {
+    out.push_back(e);
+    out.push_back({e.right, e.left});
+  }
+  return out;
+}
+
+template <Arithmetic A>
+bool Search<A>::is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target,
+                               EdgeRange const& t, bool as_occluder) const
+{
+  return std::ranges::any_of(tree_.node(leaf).blockers, [&](typename Tree::Blocker const& f) {
+    if (!f.everywhere || f.edge == target) return f.edge == target && as_occluder;
+    auto const order = plan_order<A>(gate(target), gate(f.edge));
+    if (order != PlanOrder::before && !(as_occluder && order == PlanOrder::collinear)) return false;
+    return PenumbraWedge<A>(source, target, f.edge).certainly_hides(s, t);
+  });
+}
+
+/// Whether single edges hide the target from every source. As an occluder it is then of no use either.
+template <Arithmetic A>
+bool Search<A>::is_hidden(Index leaf, Funnel const& lines, Edge const& target, bool as_occluder)
+{
+  if (!options_.penumbra_wedges || tree_.node(leaf).blockers.empty()) return false;
+  EdgeRange const t = crossed_range(lines, gate(target));
+  auto const from = sources(leaf, target);
+  std::size_t const outer = from.size() - 2 * cell_.inner.size();
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    EdgeRange const s = i < outer ? crossed_range(lines, gate(from[i])) : EdgeRange{};
+    if (!is_hidden_from(leaf, from[i], s, target, t, as_occluder)) return false;
+  }
+  return true;
+}
+
+/// Looks at the edge in every leaf that does not hide it: as a target until its object is known to be visible, and as
+/// an occluder.
+template <Arithmetic A>
+void Search<A>::scan(CrossedEdge const& crossed)
+{
+  auto const& e = field_.edges()[crossed.edge];
+  Edge const edge = portal(e, crossed.from_left);
+  Box box;
+  box.extend(e.a);
+  box.extend(e.b);
+  auto const object = field_.object_of(e);
+  bool is_open = false;
+  tree_.visit_leaves(gate(edge), box, [&](Index leaf) {
+    if (!is_ahead(leaf, edge)) return false;
+    Funnel const lines = crossing_lines(leaf, edge);
+    if (lines.empty()) return false;
+    ++counts_.portal_tests;
+    if (is_hidden(leaf, lines, edge, true)) {
+      ++counts_.wedge_hidden;
+      // A collinear occluder of equal height hides it as an occluder only.
+      is_open |= !is_visible_[object] && !is_hidden(leaf, lines, edge, false);
+      return false;
+    }
+    if (!is_visible_[object]) {
+      Find const find = options_.sampled_lines ? sample(leaf, lines, crossed, edge) : Find::nothing;
+      if (find == Find::visible) ++counts_.sampled_visible, found(crossed);
+      if (find == Find::blocked) return true;
+      is_open |= find == Find::nothing;
+    }
+    insert_in_leaf(leaf, crossed, edge, lines);
+    return false;
+  });
+  if (is_open && !is_visible_[object]) open_.push_back(crossed);
+}
+
+template <Arithmetic A>
+void Search<A>::insert(CrossedEdge const& crossed)
+{
+  auto const& e = field_.edges()[crossed.edge];
+  Edge const edge = portal(e, crossed.from_left);
+  Box box;
+  box.extend(e.a);
+  box.extend(e.b);
+  tree_.visit_leaves(gate(edge), box, [&](Index leaf) {
+    if (!is_ahead(leaf, edge)) return false;
+    Funnel const lines = crossing_lines(leaf, edge);
+    if (!lines.empty() && !is_hidden(leaf, lines, edge, true)) insert_in_leaf(leaf, crossed, edge, lines);
+    return false;
+  });
+}
+
+/// Divides the leaf by the ends of the edge and adds the edge where it is crossed. Blockers in front of it that it
+/// rises above are redundant for what comes later.
+template <Arithmetic A>
+bool Search<A>::insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines)
+{
+  auto const& n = tree_.node(leaf);
+  if (holds(leaf, edge)) return false;
+  auto const order = plan_order<A>(gate(cell_.entry(n.entry)), gate(edge));
+  if (order == PlanOrder::before || order == PlanOrder::collinear) return false;
+  leaf = tree_.divide(leaf, horizontal(edge.left), Sign::positive);
+  leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
+  bool const everywhere = order == PlanOrder::after;
+  if (everywhere && options_.penumbra_wedges && !tree_.node(leaf).blockers.empty() && cell_.inner.empty()) {
+    auto const& part = tree_.node(leaf);
+    EdgeRange const t = crossed_range(lines, gate(edge));
+    Edge const entry = cell_.entry(part.entry), exit = cell_.exit(part.exit);
+    EdgeRange const s0 = crossed_range(lines, gate(entry)), s1 = crossed_range(lines, gate(exit));
+    bool const rises = cell_.flat && std::min(edge.left.z, edge.right.z) > cell_.top;
+    tree_.remove_blockers(leaf, [&](typename Tree::Blocker const& f) {
+      return f.everywhere && plan_order<A>(gate(edge), gate(f.edge)) == PlanOrder::before &&
+             PenumbraWedge<A>(entry, edge, f.edge).certainly_above(s0, t) &&
+             (rises || PenumbraWedge<A>(exit, edge, f.edge).certainly_above(s1, t));
+    });
+  }
+  tree_.add(leaf, {edge, crossed.edge, everywhere});
+  ++counts_.occluders_inserted;
+  return true;
+}
+
+template <Arithmetic A>
+bool Search<A>::in_interior(Point3d const& p) const
+{
+  if (view_.is_box()) {
+    auto const& b = view_.bounds();
+    return b.min.x < p.x && p.x < b.max.x && b.min.y < p.y && p.y < b.max.y && b.min.z < p.z && p.z < b.max.z;
+  }
+  auto const& shape = view_.shape();
+  return std::ranges::all_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
+    auto const& v = shape.vertices;
+    return is_negative(orient3d<A>(v[f.vertices[0]], v[f.vertices[1]], v[f.vertices[2]], p));
+  });
+}
+
+/// Tries sight lines in the middle and near the corners of the polygon of lines, where the clearance is greatest.
+template <Arithmetic A>
+auto Search<A>::sample(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target) -> Find
+{
+  auto const& vertices = lines.vertices();
+  std::size_t const n = vertices.size();
+  // The lines as homogeneous vectors of equal size, by the sides of the four ends.
+  struct Sides {
+    double source_left, source_right, target_left, target_right;
+  };
+  auto const from = sources(leaf, target);
+  std::size_t const outer = from.size() - 2 * cell_.inner.size();
+  for (std::size_t k = 0; k < outer; ++k) {
+    Edge const source = from[k];
+    boost::container::small_vector<Sides, 8> sides;
+    for (auto const& v : vertices) {
+      double const dx = v.q.x - v.p.x, dy = v.q.y - v.p.y, size = std::hypot(dx, dy);
+      auto const side = [&](Point3d const& x) { return (dx * (x.y - v.p.y) - dy * (x.x - v.p.x)) / size; };
+      sides.push_back({side(source.left), side(source.right), side(target.left), side(target.right)});
+    }
+    boost::container::small_vector<PenumbraWedge<A>, 4> wedges;
+    for (auto const& f : tree_.node(leaf).blockers)
+      if (plan_order<A>(gate(target), gate(f.edge)) == PlanOrder::before) wedges.emplace_back(source, target, f.edge);
+    for (std::size_t j = 0; j <= n; ++j) {
+      Sides sum{0, 0, 0, 0};
+      for (std::size_t i = 0; i < n; ++i) {
+        double const w = (i + 1 == j ? 8.0 : 1.0) + 0.1 * static_cast<double>(i);
+        sum = {sum.source_left + w * sides[i].source_left, sum.source_right + w * sides[i].source_right,
+               sum.target_left + w * sides[i].target_left, sum.target_right + w * sides[i].target_right};
+      }
+      double const s = sum.source_left / (sum.source_left - sum.source_right);
+      double const t = sum.target_left / (sum.target_left - sum.target_right);
+      if (!(s > 0 && s < 1 && t > 0 && t < 1)) continue;
+      if (std::ranges::any_of(wedges, [&](auto const& w) { return !(w.at(s, t) > 0); })) continue;
+      auto const between = [](Point3d const& a, Point3d const& b, double x) {
+        return Point3d{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
+      };
+      for (double const step : {0x1p-20, 0x1p-30}) {
+        Point3d const p = between(between(source.left, source.right, s), inside_, step);
+        Point3d q = between(target.left, target.right, t);
+        q.z -= step * (cell_.top - cell_.bottom);
+        q = between(p, q, 1 + 0x1p-20);
+        if (!in_interior(p)) continue;
+        // The line must reach the edge between its ends, from behind, and below its top.
+        if (!is_positive(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.left))) ||
+            !is_negative(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.right))) ||
+            !is_negative(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(p))) ||
+            !is_positive(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(q))) ||
+            !is_negative(orient3d<A>(p, q, target.right, target.left)))
+          continue;
+        ++counts_.shots;
+        auto const blocker = first_blocker(p, q, crossed);
+        if (!blocker) return Find::visible;
+        Edge const edge = portal(field_, *blocker);
+        if (holds(leaf, edge)) continue;  // too far below the top: closer
+        ++counts_.shots_blocked;
+        insert(*blocker);
+        if (!tree_.node(leaf).is_leaf() || holds(leaf, edge)) return Find::blocked;
+      }
+    }
+  }
+  return Find::nothing;
+}
+
+/// An edge that stops the segment before it crosses the target; of several, one that rises high as seen from p.
+template <Arithmetic A>
+template <class NT>
+std::optional<CrossedEdge> Search<A>::first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target)
+{
+  using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
+  auto const& target_edge = field_.edges()[target.edge];
+  Edge const target_portal = portal(target_edge, target.from_left);
+  Point3d const from{CGAL::to_double(p.x), CGAL::to_double(p.y), CGAL::to_double(p.z)};
+  Point3d const to{CGAL::to_double(q.x), CGAL::to_double(q.y), CGAL::to_double(q.z)};
+  SegmentProbe const probe(from, to);
+  double const room = std::same_as<NT, double> ? 0
+                                               : 0x1p-50 * (std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) +
+                                                            std::fabs(to.x) + std::fabs(to.y) + std::fabs(to.z));
+  auto const misses = [&](Box b) {
+    b.min = {b.min.x - room, b.min.y - room, b.min.z};
+    b.max = {b.max.x + room, b.max.y + room, b.max.z + room};
+    return probe.certainly_misses(b);
+  };
+  std::optional<CrossedEdge> best;
+  double steepest = 0;
+  auto const& h = field_.edge_hierarchy();
+  h.front_to_back(
+    view_.bounds(), [&](std::uint32_t, Box const& b) { return !misses(b); },
+    [&](std::uint32_t i) {
+      auto const& e = field_.edges()[i];
+      if (i == target.edge || std::ranges::binary_search(contacts_.ignored_edges, i)) return;
+      if (!stops<Exactness>(p, q, target_portal, e)) return;
+      double const x = (e.a.x + e.b.x) / 2 - from.x, y = (e.a.y + e.b.y) / 2 - from.y;
+      double const slope = (std::max(e.a.z, e.b.z) - from.z) / std::hypot(x, y);
+      if (best && slope <= steepest) return;
+      steepest = slope;
+      // Crossed from the left of a -> b iff the eye lies there.
+      best = CrossedEdge{
+        i, is_positive(orient2d<Exactness>(horizontal(as<NT>(e.a)), horizontal(as<NT>(e.b)), horizontal(p)))};
+    });
+  return best;
+}
+
+/// Decides an edge that wedges and samples left open.
+template <Arithmetic A>
+void Search<A>::settle(CrossedEdge const& crossed)
+{
+  auto const& e = field_.edges()[crossed.edge];
+  Edge const edge = portal(e, crossed.from_left);
+  Box box;
+  box.extend(e.a);
+  box.extend(e.b);
+  auto const object = field_.object_of(e);
+  tree_.visit_leaves(gate(edge), box, [&](Index leaf) {
+    if (is_visible_[object] || !is_ahead(leaf, edge)) return false;
+    Funnel const lines = crossing_lines(leaf, edge);
+    if (lines.empty() || is_hidden(leaf, lines, edge, false)) return false;
+    Find find = options_.sampled_lines ? sample(leaf, lines, crossed, edge) : Find::nothing;
+    if (find == Find::nothing) {
+      ++counts_.decisions;
+      find = decide(leaf, lines, crossed, edge);
+      if (find == Find::visible) ++counts_.decided_visible;
+    }
+    if (find == Find::visible) found(crossed);
+    return find == Find::blocked;
+  });
+}
+
+template <Arithmetic A>
+auto Search<A>::decide(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target) -> Find
+{
+  for (auto const& source : sources(leaf, target)) {
+    PortalSequence sequence;
+    sequence.source = source;
+    sequence.target = target;
+    // A pivot has all vertices on one side or on it.
+    for (auto const& v : lines.vertices()) {
+      auto const sides = lines.template sides_of<A>(v.pivot);
+      bool const left = std::ranges::any_of(sides, [](Sign s) { return is_positive(s); });
+      sequence.points.push_back({v.pivot, left ? PortalSequence::Side::left : PortalSequence::Side::right});
+    }
+    sequence.points.push_back({horizontal(source.left), PortalSequence::Side::left});
+    sequence.points.push_back({horizontal(source.right), PortalSequence::Side::right});
+    std::vector<Ambiguous> ambiguous;
+    for (auto const& f : tree_.node(leaf).blockers) {
+      if (f.edge == target) continue;
+      auto const order = plan_order<A>(gate(target), gate(f.edge));
+      if (order == PlanOrder::after || order == PlanOrder::collinear) continue;
+      Ambiguous a{f.edge, {}};
+      if (order == PlanOrder::crossing) a.conditions.push_back({target, true});
+      if (!f.everywhere) a.conditions.push_back({cell_.entry(tree_.node(leaf).entry), false});
+      if (a.conditions.empty())
+        sequence.occluders.push_back(f.edge);
+      else
+        ambiguous.push_back(a);
+    }
+    if (auto const find = decide(leaf, source, crossed, sequence, ambiguous, 0, 0); find != Find::nothing) return find;
+  }
+  return Find::nothing;
+}
+
+namespace detail {
+
+/// Where the lines of two edges cross in plan. Requires: they are not parallel.
+inline Point2q plan_crossing(PortalSequence::Edge const& e, PortalSequence::Edge const& f)
+{
+  auto const side = [&](Point3d const& x) {
+    return RationalNumber(visibility::detail::Orient2dFormula{}(RationalNumber(e.left.x), RationalNumber(e.left.y),
+                                                                RationalNumber(e.right.x), RationalNumber(e.right.y),
+                                                                RationalNumber(x.x), RationalNumber(x.y)));
+  };
+  RationalNumber const l = side(f.left), r = side(f.right), t = l / (l - r);
+  return {RationalNumber(f.left.x) + t * (RationalNumber(f.right.x) - RationalNumber(f.left.x)),
+          RationalNumber(f.left.y) + t * (RationalNumber(f.right.y) - RationalNumber(f.left.y))};
+}
+
+}  // namespace detail
+
+/// An edge that crosses the target, or the side of the cell by which lines enter, lies between the two for the lines on
+/// one side of the crossing point only: the two cases are decided one by one.
+template <Arithmetic A>
+auto Search<A>::decide(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence& sequence,
+                       std::vector<Ambiguous> const& ambiguous, std::size_t next, std::size_t condition) -> Find
+{
+  using Side = PortalSequence::Side;
+  if (next < ambiguous.size()) {
+    auto const& [edge, conditions] = ambiguous[next];
+    auto const& [other, nearer] = conditions[condition];
+    Point2q const point = detail::plan_crossing(other, edge);
+    // Lines with the point on their left cross both edges to the right of it.
+    Sign const right_end = orient2d<A>(horizontal(other.left), horizontal(other.right), horizontal(edge.right));
+    for (Side const side : {Side::left, Side::right}) {
+      bool const is_nearer = side == Side::left ? is_negative(right_end) : is_positive(right_end);
+      sequence.constructed_points.push_back({point, side});
+      Find find = Find::nothing;
+      if (is_nearer != nearer)
+        find = decide(leaf, source, crossed, sequence, ambiguous, next + 1, 0);
+      else if (condition + 1 < conditions.size())
+        find = decide(leaf, source, crossed, sequence, ambiguous, next, condition + 1);
+      else {
+        sequence.occluders.push_back(edge);
+        find = decide(leaf, source, crossed, sequence, ambiguous, next + 1, 0);
+        sequence.occluders.pop_back();
+      }
+      sequence.constructed_points.pop_back();
+      if (find != Find::nothing) return find;
+    }
+    return Find::nothing;
+  }
+  auto const answer = [&](auto const& decision) {
+    auto const line = decision.find();
+    return line ? confirm(leaf, source, crossed, sequence, line->source, line->target) : Find::nothing;
+  };
+  if constexpr (!A::is_exact)
+    return answer(PortalDecision<double>(sequence));
+  else if (std::same_as<A, Rational> || !sequence.constructed_points.empty())
+    return answer(PortalDecision<RationalNumber>(sequence));
+  else
+    return answer(PortalDecision<ExactNumber>(sequence));
+}
+
+/// Holds a sight line from edge to edge against the whole scene: as its conditions are open, it may start a little
+/// inside the cell and end a little below the target's top.
+template <Arithmetic A>
+auto Search<A>::confirm(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence const& sequence,
+                        RationalNumber const& s, RationalNumber const& t) -> Find
+{
+  if constexpr (!A::is_exact) return Find::visible;
+  auto const between = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
+    return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
+  };
+  Point3q const start = between(exact(source.left), exact(source.right), s);
+  Point3q const end = between(exact(sequence.target.left), exact(sequence.target.right), t);
+  RationalNumber step(0x1p-8);
+  for (int i = 0; i < 60; ++i, step = step * step) {
+    Point3q const p = between(start, exact(inside_), step);
+    Point3q low = end;
+    low.z = end.z - step;
+    Point3q const q = between(p, low, RationalNumber(1) + step);
+    ++counts_.shots;
+    auto const blocker = first_blocker(p, q, crossed);
+    if (!blocker) return Find::visible;
+    Edge const edge = portal(field_, *blocker);
+    if (holds(leaf, edge)) continue;
+    ++counts_.shots_blocked;
+    insert(*blocker);
+    if (!tree_.node(leaf).is_leaf() || holds(leaf, edge)) return Find::blocked;
+  }
+  throw std::logic_error("a sight line found is stopped by an edge that it was to pass");
+}
+
+}  // namespace visibility::exact_25d

@@ -1,0 +1,141 @@
+#include "visibility/methods/exact_25d/cell_contacts.hpp"
+
+#include "visibility/predicates/orient2d.hpp"
+
+#include <algorithm>
+
+namespace visibility::exact_25d {
+
+namespace {
+
+using Polygon = std::vector<Point2d>;
+
+Polygon plan(std::span<Point3d const> corners)
+{
+  Polygon out;
+  for (auto const& c : corners) out.push_back(horizontal(c));
+  return out;
+}
+
+/// Whether some side of `a` has all of `b` on its outer side, or on it if `touching_separates`.
+bool has_separating_side(Polygon const& a, Polygon const& b, bool touching_separates)
+{
+  // A polygon with two corners is a segment: both directions are tried.
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    Point2d const &p = a[i], &q = a[i + 1 < a.size() ? i + 1 : 0];
+    if (std::ranges::all_of(b, [&](Point2d const& x) {
+          Sign const s = orient2d<Filtered>(p, q, x);
+          return is_negative(s) || (touching_separates && is_zero(s));
+        }))
+      return true;
+  }
+  return false;
+}
+
+bool closures_meet(Polygon const& a, Polygon const& b)
+{
+  return !has_separating_side(a, b, false) && !has_separating_side(b, a, false);
+}
+bool interiors_meet(Polygon const& a, Polygon const& b)
+{
+  return !has_separating_side(a, b, true) && !has_separating_side(b, a, true);
+}
+
+/// The greatest height of a column's top over the part of it inside the outline. Requires: their closures meet.
+RationalNumber highest_inside(std::span<Point3d const> corners, Polygon const& outline)
+{
+  std::vector<Point3q> part;
+  for (auto const& c : corners) part.push_back(exact(c));
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    Point2q const p{outline[i].x, outline[i].y};
+    auto const& next = outline[i + 1 < outline.size() ? i + 1 : 0];
+    Point2q const q{next.x, next.y};
+    auto const side = [&](Point3q const& x) {
+      return RationalNumber(detail::Orient2dFormula{}(p.x, p.y, q.x, q.y, x.x, x.y));
+    };
+    std::vector<Point3q> kept;
+    for (std::size_t k = 0; k < part.size(); ++k) {
+      Point3q const &a = part[k], &b = part[k + 1 < part.size() ? k + 1 : 0];
+      RationalNumber const sa = side(a), sb = side(b);
+      if (sa >= 0) kept.push_back(a);
+      if ((sa > 0 && sb < 0) || (sa < 0 && sb > 0)) {
+        RationalNumber const t = sa / (sa - sb);
+        kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)});
+      }
+    }
+    part = std::move(kept);
+  }
+  RationalNumber best = part.empty() ? RationalNumber(HeightField::bottomless) : part.front().z;
+  for (auto const& p : part) best = std::max(best, p.z);
+  return best;
+}
+
+/// Whether another column may cover part of this one.
+bool may_be_covered(HeightField const& field, std::uint32_t index, Polygon const& polygon)
+{
+  auto const& column = field.columns()[index];
+  Box box;
+  double lowest = HUGE_VAL;
+  for (auto const& c : field.corners(column)) {
+    box.extend(c);
+    lowest = std::min(lowest, c.z);
+  }
+  box.max.z = HUGE_VAL;
+  return field.column_hierarchy().any_meeting(box, [&](std::uint32_t other) {
+    auto const corners = field.corners(field.columns()[other]);
+    return other != index && corners.size() > 2 &&
+           std::ranges::any_of(corners, [&](Point3d const& c) { return c.z > lowest; }) &&
+           interiors_meet(polygon, plan(corners));
+  });
+}
+
+}  // namespace
+
+CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellOutline const& outline)
+{
+  CellContacts out;
+  Polygon const footprint = plan(outline.corners);
+  Box under = cell.bounds();
+  under.min.z = -HUGE_VAL;
+  under.max.z = HUGE_VAL;
+  bool const is_upright = outline.flat && std::ranges::all_of(cell.vertices(), [&](Point3d const& v) {
+                            return v.z == outline.top || v.z == outline.bottom;
+                          });
+  std::vector<bool> visible(field.scene().objects.size());
+  std::vector<std::uint32_t> intruders, doubtful;
+  field.column_hierarchy().any_meeting(under, [&](std::uint32_t i) {
+    auto const& column = field.columns()[i];
+    auto const corners = field.corners(column);
+    Polygon const polygon = plan(corners);
+    if (!closures_meet(footprint, polygon)) return false;
+    bool const overlaps = interiors_meet(footprint, polygon);
+    RationalNumber const height = column.is_flat ? RationalNumber(corners[0].z) : highest_inside(corners, footprint);
+    if (height >= outline.bottom) {
+      visible[column.object] = true;
+      if (!is_upright) out.exact = false;  // it may pass below or beside the cell
+      if (overlaps && (!is_upright || height >= outline.top)) intruders.push_back(i);
+    } else if (overlaps && !column.is_curtain()) {
+      if (may_be_covered(field, i, polygon)) doubtful.push_back(column.object);
+      visible[column.object] = true;
+    }
+    return false;
+  });
+  if (!intruders.empty()) {
+    out.exact = false;
+    std::ranges::sort(intruders);
+    field.edge_hierarchy().any_meeting(under, [&](std::uint32_t e) {
+      auto const& edge = field.edges()[e];
+      if (std::ranges::binary_search(intruders, edge.column) &&
+          interiors_meet(footprint, Polygon{horizontal(edge.a), horizontal(edge.b)}))
+        out.ignored_edges.push_back(e);
+      return false;
+    });
+    std::ranges::sort(out.ignored_edges);
+  }
+  out.exact = out.exact && doubtful.empty();
+  for (std::uint32_t o = 0; o < visible.size(); ++o)
+    if (visible[o]) out.visible.push_back(o);
+  return out;
+}
+
+}  // namespace visibility::exact_25d

@@ -1,0 +1,39 @@
+#include "visibility/methods/exact_25d/method.hpp"
+
+#include "visibility/methods/exact_25d/search.hpp"
+
+namespace visibility {
+
+template <Arithmetic A>
+PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell const& cell) const
+{
+  exact_25d::Search<A> search(field, cell, options_);
+  search.run();
+  PotentiallyVisibleSet set;
+  set.guarantee = !A::is_exact ? Guarantee::none : search.contacts().exact ? Guarantee::exact : Guarantee::conservative;
+  for (std::uint32_t o = 0; o < search.is_visible().size(); ++o)
+    if (search.is_visible()[o]) set.visible.push_back(o);
+  auto const& c = search.counts();
+  std::size_t blockers = 0;
+  for (typename OcclusionTree<A>::Index i = 0; i < search.tree().size(); ++i)
+    blockers += search.tree().node(i).blockers.size();
+  set.statistics = {{"nodes_tested", double(c.nodes_tested)},
+                    {"nodes_hidden", double(c.nodes_hidden)},
+                    {"portal_tests", double(c.portal_tests)},
+                    {"wedge_hidden", double(c.wedge_hidden)},
+                    {"sampled_visible", double(c.sampled_visible)},
+                    {"decisions", double(c.decisions)},
+                    {"decided_visible", double(c.decided_visible)},
+                    {"shots", double(c.shots)},
+                    {"shots_blocked", double(c.shots_blocked)},
+                    {"occluders_inserted", double(c.occluders_inserted)},
+                    {"line_space_cells", double(search.tree().leaves())},
+                    {"occluders_per_cell", double(blockers) / double(search.tree().leaves())}};
+  return set;
+}
+
+template class Exact25d<Filtered>;
+template class Exact25d<Rational>;
+template class Exact25d<Double>;
+
+}  // namespace visibility
