@@ -15,8 +15,7 @@ PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell
     if (search.is_visible()[o]) set.visible.push_back(o);
   auto const& c = search.counts();
   std::size_t blockers = 0;
-  for (typename OcclusionTree<A>::Index i = 0; i < search.tree().size(); ++i)
-    blockers += search.tree().node(i).blockers.size();
+  for (auto const& leaf : search.tree().leaves()) blockers += leaf.blockers.size();
   set.statistics = {{"nodes_tested", double(c.nodes_tested)},
                     {"nodes_hidden", double(c.nodes_hidden)},
                     {"portal_tests", double(c.portal_tests)},
@@ -27,8 +26,8 @@ PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell
                     {"shots", double(c.shots)},
                     {"shots_blocked", double(c.shots_blocked)},
                     {"occluders_inserted", double(c.occluders_inserted)},
-                    {"line_space_cells", double(search.tree().leaves())},
-                    {"occluders_per_cell", double(blockers) / double(search.tree().leaves())}};
+                    {"line_space_cells", double(search.tree().leaves().size())},
+                    {"occluders_per_cell", double(blockers) / double(search.tree().leaves().size())}};
   return set;
 }
 

@@ -2,6 +2,7 @@
 
 #include "visibility/geometry/box.hpp"
 #include "visibility/line_space/cell_outline.hpp"
+#include "visibility/line_space/line_batch.hpp"
 #include "visibility/line_space/penumbra_wedge.hpp"
 
 #include <cstdint>
@@ -29,14 +30,18 @@ public:
     std::uint32_t name;
     bool everywhere;  ///< beyond the cell for all lines of the leaf; otherwise it crosses the side by which they enter
   };
-  struct Node {
+  struct Leaf {
     Funnel lines;
-    Index parent = none, child = none;  ///< the left child, where the point lies left; the right one follows
-    Point2d point{};                    ///< by which an inner node is divided
-    std::uint16_t entry = 0, exit = 0;  ///< sides of the outline
-    double slope = 0;                   ///< see `hides`
-    double reach = 0;
     boost::container::small_vector<Blocker, 2> blockers;
+    std::uint16_t entry = 0, exit = 0;  ///< sides of the outline
+  };
+  struct Node {
+    Point2d point{};       ///< by which an inner node is divided
+    double slope = 0;      ///< see `hides`
+    double reach = HUGE_VAL;
+    Index child = none;    ///< the left child, where the point lies left; the right one follows
+    Index parent = none;
+    Index leaf = none;     ///< of a leaf, its place among the leaves; a divided leaf leaves it to its left child
     bool is_leaf() const { return child == none; }
   };
 
@@ -45,34 +50,30 @@ public:
     for (std::size_t i = 0; i < cell.size(); ++i)
       for (std::size_t j = 0; j < cell.size(); ++j)
         if (i != j) {
-          Node root;
-          root.lines = Funnel::through<A>(gate(cell.entry(i)), gate(cell.exit(j)));
-          root.entry = static_cast<std::uint16_t>(i);
-          root.exit = static_cast<std::uint16_t>(j);
-          if (!root.lines.empty()) nodes_.push_back(root);
+          Leaf root{Funnel::through<A>(gate(cell.entry(i)), gate(cell.exit(j))), {}, static_cast<std::uint16_t>(i),
+                    static_cast<std::uint16_t>(j)};
+          if (root.lines.empty()) continue;
+          nodes_.emplace_back().leaf = static_cast<Index>(leaves_.size());
+          exits_.push_back(root.exit);
+          root_lines_.push_back(root.lines);
+          leaves_.push_back(std::move(root));
         }
     roots_ = static_cast<Index>(nodes_.size());
   }
 
   CellOutline const& cell() const { return cell_; }
-  Node const& node(Index i) const { return nodes_[i]; }
-  std::size_t size() const { return nodes_.size(); }
-  std::size_t leaves() const { return (nodes_.size() + roots_) / 2; }
-  Index roots() const { return roots_; }
+  bool is_leaf(Index node) const { return nodes_[node].is_leaf(); }
+  /// Requires: a leaf. The reference stays valid while nodes are divided, but then it is that of the left part.
+  Leaf const& leaf(Index node) const { return leaves_[nodes_[node].leaf]; }
+  std::deque<Leaf> const& leaves() const { return leaves_; }
 
-  /// Calls visit(leaf) for every leaf with lines that pass between the ends, left end on the left, and perhaps for
-  /// others; `visit` may divide the leaf, and returns true to have its parts visited. Leaves of which the blockers hide
-  /// everything as far and as low as `bounds` are left out.
+  /// Calls visit(leaf, lines) for every leaf with lines that pass between the ends, left end on the left; `lines` are
+  /// these lines. `visit` may divide the leaf, and returns true to have its parts visited. Leaves of which the blockers
+  /// hide everything as far and as low as `bounds` are left out.
   template <class Visit>
   void visit_leaves(PlanGate const& e, Box const& bounds, Visit&& visit)
   {
-    Reach const reach = reach_of(bounds);
-    for (Index r = 0; r < roots_; ++r) visit_leaves_below(r, e, reach, visit);
-  }
-  template <class Visit>
-  void visit_leaves_below(Index start, PlanGate const& e, Box const& bounds, Visit&& visit)
-  {
-    visit_leaves_below(start, e, reach_of(bounds), visit);
+    walk(e, bounds, [&](Index leaf, Funnel const& lines) { return visit(leaf, lines) ? Next::again : Next::other; });
   }
 
   /// Divides the leaf by the point, if it has lines on both sides; the children inherit the blockers.
@@ -81,13 +82,13 @@ public:
 
   void add(Index leaf, Blocker const& blocker)
   {
-    nodes_[leaf].blockers.push_back(blocker);
+    leaves_[nodes_[leaf].leaf].blockers.push_back(blocker);
     update(leaf);
   }
   template <class Predicate>
   std::size_t remove_blockers(Index leaf, Predicate&& is_redundant)
   {
-    auto& b = nodes_[leaf].blockers;
+    auto& b = leaves_[nodes_[leaf].leaf].blockers;
     auto const rest = std::remove_if(b.begin(), b.end(), is_redundant);
     auto const removed = static_cast<std::size_t>(b.end() - rest);
     b.erase(rest, b.end());
@@ -100,6 +101,10 @@ public:
   bool hides(Box const& box) const;
 
 private:
+  enum class Next { other, again, stop };
+  template <class Visit>
+  void walk(PlanGate const& e, Box const& bounds, Visit&& visit) const;
+
   struct Reach {
     double distance, height;  // least distance from the centre, greatest height
   };
@@ -116,61 +121,41 @@ private:
     double const rise = n.slope * (r.distance + cell_.radius);
     return r.height <= cell_.top + rise - 0x1p-48 * (std::fabs(cell_.top) + rise);
   }
-  static bool certainly_misses(Funnel const& lines, Box const& box);
-  static bool may_cross(Funnel const& lines, PlanGate const& e);
   bool is_behind(std::size_t exit, Box const& box) const;
-
-  template <class Visit>
-  void visit_leaves_below(Index start, PlanGate const& e, Reach const& reach, Visit& visit)
+  static Funnel crossing(Funnel const& lines, PlanGate const& e)
   {
-    std::vector<Index>& stack = stack_;
-    std::size_t const bottom = stack.size();
-    stack.push_back(start);
-    while (stack.size() > bottom) {
-      Index const i = stack.back();
-      stack.pop_back();
-      if (is_below_slope(nodes_[i], reach) || !may_cross(nodes_[i].lines, e)) continue;
-      if (nodes_[i].is_leaf() && !visit(i)) continue;
-      if (nodes_[i].is_leaf()) {
-        stack.push_back(i);
-        continue;
-      }
-      stack.push_back(nodes_[i].child + 1);
-      stack.push_back(nodes_[i].child);
-    }
+    Funnel const part = lines.with<A>(e.left, Sign::positive);
+    return part.empty() ? part : part.with<A>(e.right, Sign::negative);
   }
 
   void update(Index leaf);
 
   CellOutline const& cell_;
-  std::deque<Node> nodes_;  // references stay valid
-  std::vector<Index> stack_;
+  std::vector<Node> nodes_;    // small, for the way down
+  std::deque<Leaf> leaves_;    // references stay valid
+  std::vector<std::uint16_t> exits_;  // of the roots
+  std::vector<Funnel> root_lines_;
   Index roots_ = 0;
 };
 
 template <Arithmetic A>
-auto OcclusionTree<A>::divide(Index leaf, Point2d const& point, Sign side) -> Index
+auto OcclusionTree<A>::divide(Index node, Point2d const& point, Sign side) -> Index
 {
-  auto const sides = nodes_[leaf].lines.template sides_of<A>(point);
-  Funnel left = nodes_[leaf].lines.template with<A>(point, Sign::positive, sides);
-  Funnel right = nodes_[leaf].lines.template with<A>(point, Sign::negative, sides);
-  if (left.empty() || right.empty()) return (side == Sign::positive ? left : right).empty() ? none : leaf;
+  Leaf& whole = leaves_[nodes_[node].leaf];
+  auto const sides = whole.lines.template sides_of<A>(point);
+  Funnel left = whole.lines.template with<A>(point, Sign::positive, sides);
+  Funnel right = whole.lines.template with<A>(point, Sign::negative, sides);
+  if (left.empty() || right.empty()) return (side == Sign::positive ? left : right).empty() ? none : node;
   auto const child = static_cast<Index>(nodes_.size());
-  for (Funnel* part : {&left, &right}) {
-    Node& n = nodes_.emplace_back();
-    Node const& parent = nodes_[leaf];
-    n.lines = std::move(*part);
-    n.parent = leaf;
-    n.entry = parent.entry;
-    n.exit = parent.exit;
-    n.blockers = parent.blockers;
-    n.slope = parent.slope;
-    n.reach = parent.reach;
-  }
-  nodes_[leaf].point = point;
-  nodes_[leaf].child = child;
-  nodes_[leaf].blockers.clear();
-  nodes_[leaf].blockers.shrink_to_fit();
+  Node part = nodes_[node];
+  part.parent = node;
+  nodes_.push_back(part);
+  part.leaf = static_cast<Index>(leaves_.size());
+  nodes_.push_back(part);
+  leaves_.push_back({std::move(right), whole.blockers, whole.entry, whole.exit});
+  whole.lines = std::move(left);
+  nodes_[node].point = point;
+  nodes_[node].child = child;
   // The parts are smaller: their slopes may be steeper.
   update(child);
   update(child + 1);
@@ -179,14 +164,15 @@ auto OcclusionTree<A>::divide(Index leaf, Point2d const& point, Sign side) -> In
 
 /// Computes the slope of a leaf and passes it on to the nodes above.
 template <Arithmetic A>
-void OcclusionTree<A>::update(Index leaf)
+void OcclusionTree<A>::update(Index node)
 {
-  Node& n = nodes_[leaf];
+  Node& n = nodes_[node];
+  Leaf const& l = leaf(node);
   n.slope = 0;
-  n.reach = std::numeric_limits<double>::infinity();
-  for (auto const& b : n.blockers) {
+  n.reach = HUGE_VAL;
+  for (auto const& b : l.blockers) {
     if (!b.everywhere) continue;
-    EdgeRange const r = crossed_range(n.lines, gate(b.edge));
+    EdgeRange const r = crossed_range(l.lines, gate(b.edge));
     double far = 0, height = std::numeric_limits<double>::infinity();
     for (double const t : {r.low, r.high}) {
       double const x = b.edge.left.x + t * (b.edge.right.x - b.edge.left.x);
@@ -205,51 +191,74 @@ void OcclusionTree<A>::update(Index leaf)
   }
   for (Index i = n.parent; i != none; i = nodes_[i].parent) {
     Node& p = nodes_[i];
-    Node const &l = nodes_[p.child], &r = nodes_[p.child + 1];
-    double const slope = std::min(l.slope, r.slope), reach = std::max(l.reach, r.reach);
+    Node const &left = nodes_[p.child], &right = nodes_[p.child + 1];
+    double const slope = std::min(left.slope, right.slope), reach = std::max(left.reach, right.reach);
     if (p.slope == slope && p.reach == reach) break;
     p.slope = slope;
     p.reach = reach;
   }
 }
 
-/// Whether an end certainly lies on the wrong side of all lines.
 template <Arithmetic A>
-bool OcclusionTree<A>::may_cross(Funnel const& lines, PlanGate const& e)
+template <class Visit>
+void OcclusionTree<A>::walk(PlanGate const& e, Box const& bounds, Visit&& visit) const
 {
-  bool left = false, right = false;
-  for (auto const& v : lines.vertices()) {
-    if (!left) {
-      Enclosed const s = detail::enclosed_orient2d(v.p, v.q, e.left);
-      left = !(s.value < -s.error);
-    }
-    if (!right) {
-      Enclosed const s = detail::enclosed_orient2d(v.p, v.q, e.right);
-      right = !(s.value > s.error);
-    }
-    if (left && right) return true;
+  // The lines of a part include those that cross e in the node, and others where a divided part was not cut because the
+  // other side is hidden.
+  struct Part {
+    Index node;
+    bool is_exact;
+    Funnel lines;
+  };
+  Reach const reach = reach_of(bounds);
+  boost::container::small_vector<Part, 8> stack;
+  for (Index r = 0; r < roots_; ++r) {
+    if (is_below_slope(nodes_[r], reach) || is_behind(exits_[r], bounds)) continue;
+    Funnel lines = crossing(root_lines_[r], e);
+    if (!lines.empty()) stack.push_back({r, true, std::move(lines)});
   }
-  return false;
-}
-
-/// Whether the box certainly lies on one side of all lines.
-template <Arithmetic A>
-bool OcclusionTree<A>::certainly_misses(Funnel const& lines, Box const& box)
-{
-  bool all_left = true, all_right = true;
-  for (auto const& v : lines.vertices()) {
-    double const dx = v.q.x - v.p.x, dy = v.q.y - v.p.y;
-    double const x0 = box.min.x - v.p.x, x1 = box.max.x - v.p.x, y0 = box.min.y - v.p.y, y1 = box.max.y - v.p.y;
-    double const least = dx * (dx > 0 ? y0 : y1) - dy * (dy > 0 ? x1 : x0);
-    double const greatest = dx * (dx > 0 ? y1 : y0) - dy * (dy > 0 ? x0 : x1);
-    double const error = 0x1p-49 * (std::fabs(dx) * std::max(std::fabs(y0), std::fabs(y1)) +
-                                    std::fabs(dy) * std::max(std::fabs(x0), std::fabs(x1))) +
-                         0x1p-900;
-    all_left &= least > error;
-    all_right &= greatest < -error;
-    if (!all_left && !all_right) return false;
+  while (!stack.empty()) {
+    Part part = std::move(stack.back());
+    stack.pop_back();
+    LineBatch<A> const batch(part.lines, cell_.centre);
+    for (;;) {
+      if (nodes_[part.node].is_leaf()) {
+        if (!part.is_exact) part.lines = crossing(leaf(part.node).lines, e);
+        if (part.lines.empty()) break;
+        part.is_exact = true;
+        switch (visit(part.node, std::as_const(part.lines))) {
+        case Next::again:
+          if (!is_below_slope(nodes_[part.node], reach)) stack.push_back(std::move(part));
+          break;
+        case Next::other: break;
+        case Next::stop: return;
+        }
+        break;
+      }
+      Node const& n = nodes_[part.node];
+      bool const left_open = !is_below_slope(nodes_[n.child], reach);
+      bool const right_open = !is_below_slope(nodes_[n.child + 1], reach);
+      if (!left_open && !right_open) break;
+      using Answer = typename LineBatch<A>::Answer;
+      Answer answer = batch.side(n.point);
+      typename Funnel::Sides sides;
+      if (answer == Answer::unknown || (answer == Answer::both && left_open && right_open)) {
+        sides = part.lines.template sides_of<A>(n.point);
+        bool const left = std::ranges::any_of(sides, [](Sign s) { return is_positive(s); });
+        bool const right = std::ranges::any_of(sides, [](Sign s) { return is_negative(s); });
+        answer = left && right ? Answer::both : left ? Answer::left : Answer::right;
+      }
+      if (answer == Answer::both && left_open && right_open) {
+        stack.push_back({n.child + 1, part.is_exact, part.lines.template with<A>(n.point, Sign::negative, sides)});
+        stack.push_back({n.child, part.is_exact, part.lines.template with<A>(n.point, Sign::positive, sides)});
+        break;
+      }
+      bool const goes_left = answer == Answer::left || (answer == Answer::both && left_open);
+      if (!(goes_left ? left_open : right_open)) break;
+      part.is_exact &= answer != Answer::both;
+      part.node = n.child + (goes_left ? 0 : 1);
+    }
   }
-  return true;
 }
 
 /// Whether the box certainly lies behind the line of a side, where lines that leave by it no longer come.
@@ -265,22 +274,28 @@ bool OcclusionTree<A>::is_behind(std::size_t exit, Box const& box) const
   return true;
 }
 
+/// A line meets the box iff it crosses one of the diagonals, in one direction or the other.
 template <Arithmetic A>
 bool OcclusionTree<A>::hides(Box const& box) const
 {
-  Reach const reach = reach_of(box);
-  boost::container::small_vector<Index, 128> stack;
-  for (Index r = 0; r < roots_; ++r)
-    if (!is_behind(nodes_[r].exit, box)) stack.push_back(r);
-  while (!stack.empty()) {
-    Node const& n = nodes_[stack.back()];
-    stack.pop_back();
-    if (is_below_slope(n, reach) || certainly_misses(n.lines, box)) continue;
-    if (n.is_leaf()) return false;
-    stack.push_back(n.child + 1);
-    stack.push_back(n.child);
-  }
-  return true;
+  bool hidden = true;
+  auto const crosses = [&](Point2d const& a, Point2d const& b) {
+    for (PlanGate const& e : {PlanGate{a, b}, PlanGate{b, a}}) {
+      // Some corner of the cell lies behind.
+      bool const is_crossed = std::ranges::any_of(cell_.corners, [&](Point3d const& c) {
+        Enclosed const s = detail::enclosed_orient2d(e.left, e.right, horizontal(c));
+        return !(s.value > s.error);
+      });
+      if (is_crossed && hidden)
+        walk(e, box, [&](Index, Funnel const&) {
+          hidden = false;
+          return Next::stop;
+        });
+    }
+  };
+  crosses({box.min.x, box.min.y}, {box.max.x, box.max.y});
+  crosses({box.min.x, box.max.y}, {box.max.x, box.min.y});
+  return hidden;
 }
 
 }  // namespace visibility

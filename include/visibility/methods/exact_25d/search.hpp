@@ -76,10 +76,9 @@ private:
   bool is_relevant(CrossedEdge const& crossed) const;
   bool holds(Index leaf, Edge const& edge) const
   {
-    return std::ranges::any_of(tree_.node(leaf).blockers, [&](auto const& b) { return b.edge == edge; });
+    return std::ranges::any_of(tree_.leaf(leaf).blockers, [&](auto const& b) { return b.edge == edge; });
   }
   bool is_ahead(Index leaf, Edge const& edge) const;
-  Funnel crossing_lines(Index leaf, Edge const& edge) const;
   boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const;
   bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, bool as_occluder);
   bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
@@ -175,15 +174,8 @@ bool Search<A>::is_relevant(CrossedEdge const& crossed) const
 template <Arithmetic A>
 bool Search<A>::is_ahead(Index leaf, Edge const& edge) const
 {
-  auto const& n = tree_.node(leaf);
+  auto const& n = tree_.leaf(leaf);
   return plan_order<A>(gate(cell_.exit(n.exit)), gate(edge)) != PlanOrder::before;
-}
-
-template <Arithmetic A>
-Funnel Search<A>::crossing_lines(Index leaf, Edge const& edge) const
-{
-  auto const lines = tree_.node(leaf).lines.template with<A>(horizontal(edge.left), Sign::positive);
-  return lines.empty() ? lines : lines.template with<A>(horizontal(edge.right), Sign::negative);
 }
 
 /// The edges of the cell's top from which the best sight lines to a target start: of a flat top the one by which a line
@@ -191,7 +183,7 @@ Funnel Search<A>::crossing_lines(Index leaf, Edge const& edge) const
 template <Arithmetic A>
 auto Search<A>::sources(Index leaf, Edge const& target) const -> boost::container::small_vector<Edge, 2>
 {
-  auto const& n = tree_.node(leaf);
+  auto const& n = tree_.leaf(leaf);
   boost::container::small_vector<Edge, 2> out;
   if (!cell_.flat || std::min(target.left.z, target.right.z) < cell_.top) out.push_back(cell_.exit(n.exit));
   if (!cell_.flat || std::max(target.left.z, target.right.z) >= cell_.top) out.push_back(cell_.entry(n.entry));
@@ -206,7 +198,7 @@ template <Arithmetic A>
 bool Search<A>::is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target,
                                EdgeRange const& t, bool as_occluder) const
 {
-  return std::ranges::any_of(tree_.node(leaf).blockers, [&](typename Tree::Blocker const& f) {
+  return std::ranges::any_of(tree_.leaf(leaf).blockers, [&](typename Tree::Blocker const& f) {
     if (!f.everywhere || f.edge == target) return f.edge == target && as_occluder;
     auto const order = plan_order<A>(gate(target), gate(f.edge));
     if (order != PlanOrder::before && !(as_occluder && order == PlanOrder::collinear)) return false;
@@ -218,7 +210,7 @@ bool Search<A>::is_hidden_from(Index leaf, Edge const& source, EdgeRange const& 
 template <Arithmetic A>
 bool Search<A>::is_hidden(Index leaf, Funnel const& lines, Edge const& target, bool as_occluder)
 {
-  if (!options_.penumbra_wedges || tree_.node(leaf).blockers.empty()) return false;
+  if (!options_.penumbra_wedges || tree_.leaf(leaf).blockers.empty()) return false;
   EdgeRange const t = crossed_range(lines, gate(target));
   auto const from = sources(leaf, target);
   std::size_t const outer = from.size() - 2 * cell_.inner.size();
@@ -241,10 +233,8 @@ void Search<A>::scan(CrossedEdge const& crossed)
   box.extend(e.b);
   auto const object = field_.object_of(e);
   bool is_open = false;
-  tree_.visit_leaves(gate(edge), box, [&](Index leaf) {
+  tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
     if (!is_ahead(leaf, edge)) return false;
-    Funnel const lines = crossing_lines(leaf, edge);
-    if (lines.empty()) return false;
     ++counts_.portal_tests;
     if (is_hidden(leaf, lines, edge, true)) {
       ++counts_.wedge_hidden;
@@ -272,10 +262,8 @@ void Search<A>::insert(CrossedEdge const& crossed)
   Box box;
   box.extend(e.a);
   box.extend(e.b);
-  tree_.visit_leaves(gate(edge), box, [&](Index leaf) {
-    if (!is_ahead(leaf, edge)) return false;
-    Funnel const lines = crossing_lines(leaf, edge);
-    if (!lines.empty() && !is_hidden(leaf, lines, edge, true)) insert_in_leaf(leaf, crossed, edge, lines);
+  tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
+    if (is_ahead(leaf, edge) && !is_hidden(leaf, lines, edge, true)) insert_in_leaf(leaf, crossed, edge, lines);
     return false;
   });
 }
@@ -285,15 +273,15 @@ void Search<A>::insert(CrossedEdge const& crossed)
 template <Arithmetic A>
 bool Search<A>::insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines)
 {
-  auto const& n = tree_.node(leaf);
+  auto const& n = tree_.leaf(leaf);
   if (holds(leaf, edge)) return false;
   auto const order = plan_order<A>(gate(cell_.entry(n.entry)), gate(edge));
   if (order == PlanOrder::before || order == PlanOrder::collinear) return false;
   leaf = tree_.divide(leaf, horizontal(edge.left), Sign::positive);
   leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
   bool const everywhere = order == PlanOrder::after;
-  if (everywhere && options_.penumbra_wedges && !tree_.node(leaf).blockers.empty() && cell_.inner.empty()) {
-    auto const& part = tree_.node(leaf);
+  if (everywhere && options_.penumbra_wedges && !tree_.leaf(leaf).blockers.empty() && cell_.inner.empty()) {
+    auto const& part = tree_.leaf(leaf);
     EdgeRange const t = crossed_range(lines, gate(edge));
     Edge const entry = cell_.entry(part.entry), exit = cell_.exit(part.exit);
     EdgeRange const s0 = crossed_range(lines, gate(entry)), s1 = crossed_range(lines, gate(exit));
@@ -344,7 +332,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, CrossedEdge const& cross
       sides.push_back({side(source.left), side(source.right), side(target.left), side(target.right)});
     }
     boost::container::small_vector<PenumbraWedge<A>, 4> wedges;
-    for (auto const& f : tree_.node(leaf).blockers)
+    for (auto const& f : tree_.leaf(leaf).blockers)
       if (plan_order<A>(gate(target), gate(f.edge)) == PlanOrder::before) wedges.emplace_back(source, target, f.edge);
     for (std::size_t j = 0; j <= n; ++j) {
       Sides sum{0, 0, 0, 0};
@@ -380,7 +368,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, CrossedEdge const& cross
         if (holds(leaf, edge)) continue;  // too far below the top: closer
         ++counts_.shots_blocked;
         insert(*blocker);
-        if (!tree_.node(leaf).is_leaf() || holds(leaf, edge)) return Find::blocked;
+        if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
       }
     }
   }
@@ -436,10 +424,8 @@ void Search<A>::settle(CrossedEdge const& crossed)
   box.extend(e.a);
   box.extend(e.b);
   auto const object = field_.object_of(e);
-  tree_.visit_leaves(gate(edge), box, [&](Index leaf) {
-    if (is_visible_[object] || !is_ahead(leaf, edge)) return false;
-    Funnel const lines = crossing_lines(leaf, edge);
-    if (lines.empty() || is_hidden(leaf, lines, edge, false)) return false;
+  tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
+    if (is_visible_[object] || !is_ahead(leaf, edge) || is_hidden(leaf, lines, edge, false)) return false;
     Find find = options_.sampled_lines ? sample(leaf, lines, crossed, edge) : Find::nothing;
     if (find == Find::nothing) {
       ++counts_.decisions;
@@ -467,13 +453,13 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, CrossedEdge const& cross
     sequence.points.push_back({horizontal(source.left), PortalSequence::Side::left});
     sequence.points.push_back({horizontal(source.right), PortalSequence::Side::right});
     std::vector<Ambiguous> ambiguous;
-    for (auto const& f : tree_.node(leaf).blockers) {
+    for (auto const& f : tree_.leaf(leaf).blockers) {
       if (f.edge == target) continue;
       auto const order = plan_order<A>(gate(target), gate(f.edge));
       if (order == PlanOrder::after || order == PlanOrder::collinear) continue;
       Ambiguous a{f.edge, {}};
       if (order == PlanOrder::crossing) a.conditions.push_back({target, true});
-      if (!f.everywhere) a.conditions.push_back({cell_.entry(tree_.node(leaf).entry), false});
+      if (!f.everywhere) a.conditions.push_back({cell_.entry(tree_.leaf(leaf).entry), false});
       if (a.conditions.empty())
         sequence.occluders.push_back(f.edge);
       else
@@ -569,7 +555,7 @@ auto Search<A>::confirm(Index leaf, Edge const& source, CrossedEdge const& cross
     if (holds(leaf, edge)) continue;
     ++counts_.shots_blocked;
     insert(*blocker);
-    if (!tree_.node(leaf).is_leaf() || holds(leaf, edge)) return Find::blocked;
+    if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
   }
   throw std::logic_error("a sight line found is stopped by an edge that it was to pass");
 }
