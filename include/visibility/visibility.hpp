@@ -36,6 +36,7 @@
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
 #include "visibility/scene/convex_cover.hpp"
+#include "visibility/scene/exposed_parts.hpp"
 #include "visibility/scene/faces.hpp"
 #include "visibility/scene/footprint.hpp"
 #include "visibility/scene/generators.hpp"
