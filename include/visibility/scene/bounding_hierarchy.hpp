@@ -54,6 +54,27 @@ public:
     return walk([&](Node const& n) { return meet(n.bounds, box); }, visit);
   }
 
+  /// The same for every item whose own bounds meet the box.
+  template <class Visit>
+  bool any_item_meeting(Box const& box, Visit&& visit) const
+  {
+    if (nodes_.empty()) return false;
+    std::uint32_t stack[max_depth + 2];
+    int top = 0;
+    stack[top++] = 0;
+    while (top > 0) {
+      Node const& node = nodes_[stack[--top]];
+      if (!node.is_leaf()) {
+        if (meet(nodes_[node.first + 1].bounds, box)) stack[top++] = node.first + 1;
+        if (meet(nodes_[node.first].bounds, box)) stack[top++] = node.first;
+        continue;
+      }
+      for (auto i = node.first; i < node.first + node.count; ++i)
+        if (meet(item_bounds_[i], box) && visit(items_[i])) return true;
+    }
+    return false;
+  }
+
   /// Whether the left child of an inner node is at most as far from `region` as the right one (rounded distances).
   bool left_is_nearer(Node const& node, Box const& region) const
   {
