@@ -1,0 +1,53 @@
+#pragma once
+
+#include "visibility/scene/potentially_visible_set.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// Exact from-region visibility in height fields of few columns, straight from the definition. Slow, independent of every
+/// method of the library, and sure of what it says: visible is proved by a sight line in rationals, hidden by signs of
+/// quadratic forms on convex sets of lines of the plane. How and why: proofs/height_field_oracle.md.
+namespace visibility::oracle {
+
+/// A convex polygon of the plane, solid from its top down to minus infinity, closed.
+/// Requires: corners counterclockwise with area; the top is planar: equal heights, or three corners.
+struct Column {
+  std::vector<Point3d> corners;  ///< plan position, and height of the top there
+  std::uint32_t object;          ///< columns may share an object
+  std::vector<bool> inner;       ///< inner[i]: the side from corner i to i + 1 is no face; empty: every side is one
+};
+
+/// A flat-topped prism. Requires: counterclockwise convex footprint with area; bottom < top.
+struct Cell {
+  std::vector<Point2d> footprint;
+  double bottom, top;
+};
+
+enum class Verdict { hidden, visible, undecided };
+
+/// By object. A visible object that meets the closed cell has no witness, every other visible one has.
+struct Answer {
+  std::vector<Verdict> verdict;
+  std::vector<std::optional<Witness>> witness;
+};
+
+/// Visible by positive measure (proofs/visibility.md): objects seen along a null set of lines only are hidden.
+/// `undecided` means that the sight lines of an object, if any, are confined to a set too thin for the subdivision.
+/// Throws std::invalid_argument if a column reaches the cell's top inside the cell's footprint, or if the input breaks
+/// what Column and Cell require. At most 60 columns.
+Answer visible_objects(std::span<Column const> columns, std::size_t object_count, Cell const& cell);
+
+/// Whether the witness proves what it says: `from` in the cell's interior, `to` in the relative interior of a face of a
+/// column of the object, no column met by the segment before `to`. Straight from the definition, in rationals.
+bool confirms(std::span<Column const> columns, Cell const& cell, Witness const& witness);
+
+/// Whether the closed column and the closed cell share a point.
+bool meets(Column const& column, Cell const& cell);
+
+/// Throws std::invalid_argument naming what the input breaks.
+void validate(std::span<Column const> columns, std::size_t object_count, Cell const& cell);
+
+}  // namespace visibility::oracle

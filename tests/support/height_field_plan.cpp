@@ -1,0 +1,112 @@
+#include "support/height_field_plan.hpp"
+
+#include <algorithm>
+
+namespace visibility::oracle::detail {
+namespace {
+
+Vector point(double x, double y) { return {NT(x), NT(y), NT(1)}; }
+
+Plane top_of(Column const& column)
+{
+  auto const& c = column.corners;
+  if (c.size() > 3 || (c[0].z == c[1].z && c[0].z == c[2].z)) return {{NT(0), NT(0), NT(c[0].z)}, NT(1)};
+  auto const from_first = [&](Point3d const& p) {
+    return Vector{NT(p.x) - NT(c[0].x), NT(p.y) - NT(c[0].y), NT(p.z) - NT(c[0].z)};
+  };
+  Vector const n = cross(from_first(c[1]), from_first(c[2]));
+  return {{-n.x, -n.y, dot(n, {NT(c[0].x), NT(c[0].y), NT(c[0].z)})}, n.z};
+}
+
+/// The point common to two lines that are not parallel, with z > 0.
+Vector meet(Vector const& k, Vector const& l)
+{
+  Vector const p = cross(k, l);
+  return p.z < 0 ? -p : p;
+}
+
+/// Whether the point of the segment's line lies on the closed segment.
+bool on(Segment const& s, Vector const& p)
+{
+  Vector const across{-s.line.y, s.line.x, NT(0)};  // grows along the segment, up to a factor; compare with the ends
+  NT const at_p = dot(across, p), at_a = dot(across, s.a), at_b = dot(across, s.b);
+  NT const from_a = at_p * s.a.z - at_a * p.z, from_b = at_p * s.b.z - at_b * p.z;
+  return sign(from_a) * sign(from_b) <= 0;
+}
+
+}  // namespace
+
+Plan::Plan(std::span<Column const> input, Cell const& cell) : columns(static_cast<int>(input.size()))
+{
+  for (auto const& c : input) {
+    std::vector<Vector> corners;
+    for (auto const& p : c.corners) corners.push_back(point(p.x, p.y));
+    add_polygon(corners, top_of(c), c.inner);
+  }
+  std::vector<Vector> corners;
+  for (auto const& p : cell.footprint) corners.push_back(point(p.x, p.y));
+  add_polygon(corners, {{NT(0), NT(0), NT(cell.top)}, NT(1)}, {});
+
+  first_ridge = static_cast<int>(segments.size());
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < i; ++j) add_ridge(i, j);
+  add_crossings();
+}
+
+void Plan::add_polygon(std::vector<Vector> const& corners, Plane const& top, std::vector<bool> const& inner)
+{
+  Polygons const owner = polygon_bit(static_cast<int>(polygons.size()));
+  first_side.push_back(static_cast<int>(segments.size()));
+  for (std::size_t k = 0, n = corners.size(); k < n; ++k) {
+    auto const &a = corners[k], &b = corners[(k + 1) % n];
+    segments.push_back({a, b, cross(a, b), owner, inner.empty() || !inner[k]});
+    events.push_back({a, owner});
+  }
+  polygons.push_back(corners);
+  tops.push_back(top);
+}
+
+/// Where the tops of two columns have the same height over both polygons, if that is a segment.
+void Plan::add_ridge(int i, int j)
+{
+  auto const &p = tops[std::size_t(i)], &q = tops[std::size_t(j)];
+  Vector line = (q.scale * p.form) + (-(p.scale * q.form));
+  if (line.x == 0 && line.y == 0) return;
+  Polygons const owners = polygon_bit(i) | polygon_bit(j);
+  auto const in = [&](int polygon, Vector const& x) {
+    for (int k = 0; k < side_count(polygon); ++k)
+      if (dot(segments[std::size_t(first_side[std::size_t(polygon)] + k)].line, x) < 0) return false;
+    return true;
+  };
+  std::vector<Vector> ends;
+  for (int polygon : {i, j})
+    for (int k = 0; k < side_count(polygon); ++k) {
+      auto const& side = segments[std::size_t(first_side[std::size_t(polygon)] + k)].line;
+      Vector const x = meet(line, side);
+      if (x.z != 0 && in(i, x) && in(j, x)) ends.push_back(x);
+    }
+  auto const along = [&](Vector const& a, Vector const& b) -> NT {  // positive iff b comes after a
+    return (b.y * a.z - a.y * b.z) * line.x - (b.x * a.z - a.x * b.z) * line.y;
+  };
+  auto const before = [&](Vector const& a, Vector const& b) { return along(a, b) > 0; };
+  if (ends.empty()) return;
+  auto const [a, b] = std::ranges::minmax_element(ends, before);
+  if (along(*a, *b) == 0) return;
+  Segment ridge{*a, *b, line, owners, false};
+  if (dot(cross(ridge.a, ridge.b), line) < 0) ridge.line = -line;
+  segments.push_back(ridge);
+  events.push_back({ridge.a, owners});
+  events.push_back({ridge.b, owners});
+}
+
+void Plan::add_crossings()
+{
+  for (auto const& s : segments)
+    for (auto const& t : segments) {
+      if (&t == &s) break;
+      Vector const x = meet(s.line, t.line);
+      if (x.z != 0 && s.owners != t.owners && on(s, x) && on(t, x)) events.push_back({x, s.owners | t.owners});
+    }
+}
+
+}  // namespace visibility::oracle::detail
