@@ -32,13 +32,31 @@ void divide_by_gcd(PluckerLine<NT>& l)
 
 }  // namespace detail
 
-/// Scales the components to small ones: coprime integers (Gmpz, Gmpq), integers times powers of 2^64 whose mantissas
-/// are coprime (Mpzf). A zero vector stays.
+/// Scales the components to small ones: coprime integers (Gmpz, Gmpq), integers times powers of two whose mantissas are
+/// coprime (Mpzf). A zero vector stays.
 template <class NT>
 void make_primitive(PluckerLine<NT>& l)
 {
   detail::divide_by_gcd(l);
 }
+
+#ifdef CGAL_HAS_MPZF
+/// A greatest common divisor of Mpzf leaves powers of two alone, and products would double the exponent every time; so
+/// where the largest component is far from 1, it is brought near.
+inline void make_primitive(PluckerLine<CGAL::Mpzf>& l)
+{
+  detail::divide_by_gcd(l);
+  if (is_zero(l)) return;
+  for (;;) {
+    double largest = 0;
+    for (std::size_t i = 0; i < 6; ++i) largest = std::max(largest, std::fabs(CGAL::to_double(l[i])));
+    if (0x1p-640 < largest && largest < 0x1p640) return;
+    int const step = largest == 0 ? 960 : std::isinf(largest) ? -960 : -(std::ilogb(largest) / 64 * 64);
+    CGAL::Mpzf const factor(std::ldexp(1.0, std::clamp(step, -960, 960)));
+    for (std::size_t i = 0; i < 6; ++i) l[i] = l[i] * factor;
+  }
+}
+#endif
 
 inline void make_primitive(PluckerLine<CGAL::Gmpq>& l)
 {
