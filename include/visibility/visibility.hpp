@@ -56,7 +56,14 @@
 #include "visibility/scene/view_cell.hpp"
 #include "visibility/scene/write_scene.hpp"
 
+#include "visibility/line_space/plucker_cone.hpp"
+#include "visibility/line_space/plucker_line.hpp"
+#include "visibility/line_space/portal_half_spaces.hpp"
 #include "visibility/line_space/portal_sequence.hpp"
+#include "visibility/line_space/primitive.hpp"
+#include "visibility/line_space/quadric_search.hpp"
+#include "visibility/line_space/stabbing_line.hpp"
+#include "visibility/line_space/tight_set.hpp"
 
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/sampling/options.hpp"
