@@ -100,10 +100,11 @@ bool ObjectColumns::is_redundant(std::vector<Side> const& group, Side const& sid
     other = &s;
   }
   if (other == nullptr) return false;
+  // No corner of the other column below this one's plane. A column of more than three corners is flat, and the first
+  // three of them may lie on one line.
   auto const& mine = result_.columns[side.column];
-  // No corner of the other column below this one's plane.
   return std::ranges::all_of(result_.columns[other->column], [&](Point3d const& p) {
-    return !is_negative(orient3d<Filtered>(mine[0], mine[1], mine[2], p));
+    return mine.size() > 3 ? p.z >= mine[0].z : !is_negative(orient3d<Filtered>(mine[0], mine[1], mine[2], p));
   });
 }
 
