@@ -4,8 +4,10 @@
 #include "visibility/predicates/orient3d.hpp"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <optional>
+#include <type_traits>
 
 namespace visibility {
 
@@ -14,8 +16,9 @@ namespace {
 /// Closed interval of the parameter of an edge; an end that is not set is that of the edge.
 struct ClosedInterval {
   std::optional<RationalNumber> low, high;
-  bool is_whole_edge() const { return !low && !high; }
 };
+
+enum class Extent : std::uint8_t { nowhere, partly, everywhere };
 
 bool are_zero(Sign s, Sign t) { return is_zero(s) && is_zero(t); }
 /// Of a linear function with these signs at the ends: whether it is nowhere positive between them.
@@ -27,6 +30,8 @@ template <Arithmetic A>
 class Cover {
 public:
   using Column = HeightField::Column;
+  /// Of values at the ends of the edge.
+  using NT = std::conditional_t<std::same_as<A, Rational>, RationalNumber, ExactNumber>;
 
   Cover(HeightField const& field, std::uint32_t edge, Crossing crossing) : field_(field)
   {
@@ -49,30 +54,34 @@ public:
     return box;
   }
 
-  /// Where the column covers; nothing if nowhere or only in single points.
-  std::optional<ClosedInterval> by(std::uint32_t column) const
+  /// How much of the edge the column covers, by signs alone. `partly` may turn out to be a point or nothing.
+  Extent extent(std::uint32_t column) const
   {
     Column const& f = field_.columns()[column];
-    if (column == column_ || f.is_curtain()) return {};
-    auto const corners = field_.corners(f);
-    if (!has_area_beside(corners)) return {};
+    if (column == column_ || f.is_curtain()) return Extent::nowhere;
+    Extent const beside = area_beside(field_.corners(f));
+    if (beside == Extent::nowhere) return Extent::nowhere;
     Sign const at_a = rise(f, a_), at_b = rise(f, b_);
-    if (are_zero(at_a, at_b)) {
-      if (sees_top_ && !rises_away(f)) return {};
-    } else if (nowhere_positive(at_a, at_b)) {
-      return {};
-    }
+    if (changes(at_a, at_b)) return Extent::partly;
+    bool const covers = are_zero(at_a, at_b) ? !sees_top_ || rises_away(f) : !nowhere_positive(at_a, at_b);
+    return covers ? beside : Extent::nowhere;
+  }
+
+  /// Where the column covers. Requires: extent(column) == Extent::partly.
+  ClosedInterval interval(std::uint32_t column) const
+  {
+    Column const& f = field_.columns()[column];
     ClosedInterval covered;
-    clip(covered, corners);
-    if (changes(at_a, at_b)) clip(covered, at_a, exact_rise(f, a_), exact_rise(f, b_));
-    if (covered.low && covered.high && *covered.low >= *covered.high) return {};
+    clip(covered, field_.corners(f));
+    Sign const at_a = rise(f, a_);
+    if (changes(at_a, rise(f, b_))) clip(covered, at_a, exact_rise(f, a_), exact_rise(f, b_));
     return covered;
   }
 
 private:
-  /// Whether the polygon reaches to the side of the edge from a stretch of its line that meets the edge. Separates the
-  /// two by the edge's line and by the sides of the polygon, which is enough for convex sets in the plane.
-  bool has_area_beside(std::span<Point3d const> corners) const
+  /// How much of the edge has area of the polygon on the side from which it could be covered. Two convex sets in the
+  /// plane are apart iff the line of a side of one of them separates them.
+  Extent area_beside(std::span<Point3d const> corners) const
   {
     auto const a = horizontal(a_), b = horizontal(b_);
     bool beyond = false, before = false;
@@ -83,13 +92,15 @@ private:
       before |= s == -side_;
       on += is_zero(s);
     }
-    if (!beyond || !(before || on >= 2)) return false;
+    if (!beyond || !(before || on >= 2)) return Extent::nowhere;
+    Extent extent = Extent::everywhere;
     for (std::size_t i = corners.size() - 1, j = 0; j < corners.size(); i = j++) {
       auto const p = horizontal(corners[i]), q = horizontal(corners[j]);
       Sign const at_a = orient2d<A>(p, q, a), at_b = orient2d<A>(p, q, b);
-      if (nowhere_positive(at_a, at_b) && !are_zero(at_a, at_b)) return false;
+      if (nowhere_positive(at_a, at_b) && !are_zero(at_a, at_b)) return Extent::nowhere;
+      if (changes(at_a, at_b)) extent = Extent::partly;
     }
-    return true;
+    return extent;
   }
 
   /// Sign of how much higher the column's top plane is over p than p. A column that is not flat is a triangle.
@@ -101,16 +112,13 @@ private:
   }
 
   /// The same as a number, up to a positive factor that is the same for all p.
-  RationalNumber exact_rise(Column const& f, Point3d const& p) const
+  NT exact_rise(Column const& f, Point3d const& r) const
   {
-    using NT = RationalNumber;
     auto const c = field_.corners(f);
-    if (f.is_flat) return NT(c[0].z) - NT(p.z);
-    auto const [x0, y0, z0] = exact(c[0]);
-    auto const [x1, y1, z1] = exact(c[1]);
-    auto const [x2, y2, z2] = exact(c[2]);
-    auto const [x, y, z] = exact(p);
-    return -detail::Orient3dFormula{}(x0, y0, z0, x1, y1, z1, x2, y2, z2, x, y, z);
+    if (f.is_flat) return NT(c[0].z) - NT(r.z);
+    auto const &p = c[0], &q = c[1], &s = c[2];
+    return -detail::Orient3dFormula{}(NT(p.x), NT(p.y), NT(p.z), NT(q.x), NT(q.y), NT(q.z), NT(s.x), NT(s.y), NT(s.z),
+                                      NT(r.x), NT(r.y), NT(r.z));
   }
 
   /// Of a column whose top plane contains the edge: whether it is above that of the edge's column on the latter's side.
@@ -123,7 +131,6 @@ private:
   /// Keeps what lies in the polygon.
   void clip(ClosedInterval& interval, std::span<Point3d const> corners) const
   {
-    using NT = RationalNumber;
     for (std::size_t i = corners.size() - 1, j = 0; j < corners.size(); i = j++) {
       auto const p = horizontal(corners[i]), q = horizontal(corners[j]);
       Sign const at_a = orient2d<A>(p, q, horizontal(a_));
@@ -136,9 +143,9 @@ private:
   }
 
   /// Keeps where a linear function is not negative, given its values at the ends, which differ in sign.
-  static void clip(ClosedInterval& interval, Sign at_a, RationalNumber const& a, RationalNumber const& b)
+  static void clip(ClosedInterval& interval, Sign at_a, NT const& a, NT const& b)
   {
-    RationalNumber t = a / (a - b);
+    RationalNumber t = RationalNumber(a) / RationalNumber(a - b);
     if (is_negative(at_a)) {
       if (!interval.low || *interval.low < t) interval.low = std::move(t);
     } else {
@@ -153,14 +160,13 @@ private:
   bool sees_top_;         ///< the top of that column; else its wall
 };
 
-/// What is left of (0, 1).
-std::vector<OpenInterval> complement(std::vector<ClosedInterval> const& covered)
+/// What closed intervals leave of (0, 1).
+std::vector<OpenInterval> complement(std::vector<OpenInterval> covered)
 {
-  std::vector<OpenInterval> closed, open;
-  for (auto const& c : covered) closed.push_back({c.low.value_or(0), c.high.value_or(1)});
-  std::ranges::sort(closed, {}, &OpenInterval::low);
+  std::ranges::sort(covered, {}, &OpenInterval::low);
+  std::vector<OpenInterval> open;
   RationalNumber end = 0;
-  for (auto const& c : closed) {
+  for (auto const& c : covered) {
     if (end < c.low) open.push_back({end, c.low});
     if (end < c.high) end = c.high;
   }
@@ -174,17 +180,22 @@ template <Arithmetic A>
 ExposedParts exposed_parts(HeightField const& field, std::uint32_t edge, Crossing crossing)
 {
   Cover<A> const cover(field, edge, crossing);
-  std::vector<ClosedInterval> covered;
+  std::vector<std::uint32_t> partly;
   bool const everywhere = field.column_hierarchy().any_item_meeting(cover.reach(), [&](std::uint32_t column) {
-    auto interval = cover.by(column);
-    if (!interval) return false;
-    if (interval->is_whole_edge()) return true;
-    covered.push_back(std::move(*interval));
-    return false;
+    Extent const extent = cover.extent(column);
+    if (extent == Extent::partly) partly.push_back(column);
+    return extent == Extent::everywhere;
   });
   if (everywhere) return {false, {}};
+  if (partly.empty()) return {};
+  std::vector<OpenInterval> covered;
+  for (auto const column : partly) {
+    auto const [low, high] = cover.interval(column);
+    if (low && high && *low >= *high) continue;
+    covered.push_back({low.value_or(0), high.value_or(1)});
+  }
   if (covered.empty()) return {};
-  return {false, complement(covered)};
+  return {false, complement(std::move(covered))};
 }
 
 template ExposedParts exposed_parts<Filtered>(HeightField const&, std::uint32_t, Crossing);

@@ -1,11 +1,12 @@
 #include "visibility/scene/grounded.hpp"
 
+#include "upper_boundary.hpp"
+
 #include "visibility/predicates/orient2d.hpp"
 #include "visibility/scene/scene_builder.hpp"
 
 #include <algorithm>
 #include <charconv>
-#include <tuple>
 
 namespace visibility {
 
@@ -107,19 +108,11 @@ private:
     return ConvexPolyhedron::from_facets(std::move(vertices), facets);
   }
 
-  /// A vertical triangle: what lies below its upper boundary.
-  void add_vertical(std::array<Point3d, 3> p)
+  void add_vertical(std::array<Point3d, 3> const& p)
   {
-    std::ranges::sort(p, {}, [](Point3d const& q) { return std::tie(q.x, q.y, q.z); });
-    if (same_in_plan(p[0], p[2])) return add_triangle(p[0], p[1], p[2]);  // a vertical line
-    bool const along_x = p[0].x != p[2].x;
-    auto const upright = [&](Point3d const& q) { return Point2d{along_x ? q.x : q.y, q.z}; };
-    if (is_positive(orient2d<Filtered>(upright(p[0]), upright(p[2]), upright(p[1])))) {
-      add_curtain(p[0], p[1]);
-      add_curtain(p[1], p[2]);
-    } else {
-      add_curtain(p[0], p[2]);
-    }
+    auto const boundary = upper_boundary(p);
+    if (boundary.empty()) return add_triangle(p[0], p[1], p[2]);
+    for (std::size_t i = 1; i < boundary.size(); ++i) add_curtain(boundary[i - 1], boundary[i]);
   }
 
   void add_curtain(Point3d const& a, Point3d const& b)

@@ -1,9 +1,12 @@
 #include "height_field_columns.hpp"
 
+#include "upper_boundary.hpp"
+
 #include "visibility/predicates/orient2d.hpp"
 #include "visibility/predicates/orient3d.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 namespace visibility::height_field {
@@ -69,41 +72,42 @@ void ObjectColumns::add_triangle(Point3d const& a, Point3d const& b, Point3d con
   case Sign::negative: result_.columns.push_back({a, c, b}); return;
   case Sign::zero: break;
   }
-  // Vertical: the upper boundary between its outermost corners.
-  std::array<Point3d, 3> p{a, b, c};
-  std::ranges::sort(p, less_in_plan);
-  if (same_in_plan(p[0], p[2])) return;  // a vertical line blocks nothing that matters
-  add_curtain(p[0], p[2]);
-  if (!same_in_plan(p[0], p[1])) add_curtain(p[0], p[1]);
-  if (!same_in_plan(p[1], p[2])) add_curtain(p[1], p[2]);
+  auto const boundary = upper_boundary({a, b, c});
+  for (std::size_t i = 1; i < boundary.size(); ++i) add_curtain(boundary[i - 1], boundary[i]);
 }
 
 void ObjectColumns::add_curtain(Point3d const& a, Point3d const& b) { result_.columns.push_back({a, b}); }
 
-/// Whether another side over the same piece of the plan is at least as high at both ends. Of equals the first counts.
-bool ObjectColumns::is_covered(std::vector<Side> const& group, Side const& curtain) const
+/// Whether another side over the same piece of the plan makes this one superfluous: a curtain by a side that is at
+/// least as high (of equal curtains the first counts), a column by a higher one on the same side, which buries its top
+/// there and has its wall.
+bool ObjectColumns::is_covered(std::vector<Side> const& group, Side const& side) const
 {
+  bool const curtain = is_curtain(side);
   return std::ranges::any_of(group, [&](Side const& s) {
-    if (&s == &curtain || s.a.z < curtain.a.z || s.b.z < curtain.b.z) return false;
-    bool const equal = s.a.z == curtain.a.z && s.b.z == curtain.b.z;
-    return !equal || result_.columns[s.column].size() > 2 || s.column < curtain.column;
+    if (&s == &side || s.a.z < side.a.z || s.b.z < side.b.z) return false;
+    bool const equal = s.a.z == side.a.z && s.b.z == side.b.z;
+    if (!curtain) return !equal && !is_curtain(s) && s.forward == side.forward;
+    return !equal || !is_curtain(s) || s.column < side.column;
   });
 }
 
-/// Whether the side is one that exactly two columns share, at equal heights, with a top that is flat there or a valley.
+/// Whether the side of a column is one of exactly two in the group, the other opposite and as high, with a top that is
+/// flat there or a valley. Curtains do not count.
 bool ObjectColumns::is_redundant(std::vector<Side> const& group, Side const& side) const
 {
   Side const* other = nullptr;
   for (auto const& s : group) {
-    if (&s == &side || result_.columns[s.column].size() == 2) continue;
+    if (&s == &side || is_curtain(s)) continue;
     if (other != nullptr || s.forward == side.forward || !(s.a == side.a) || !(s.b == side.b)) return false;
     other = &s;
   }
   if (other == nullptr) return false;
+  // No corner of the other column below this one's plane. A column of more than three corners is flat, and the first
+  // three of them may lie on one line.
   auto const& mine = result_.columns[side.column];
-  // No corner of the other column below this one's plane.
   return std::ranges::all_of(result_.columns[other->column], [&](Point3d const& p) {
-    return !is_negative(orient3d<Filtered>(mine[0], mine[1], mine[2], p));
+    return mine.size() > 3 ? p.z >= mine[0].z : !is_negative(orient3d<Filtered>(mine[0], mine[1], mine[2], p));
   });
 }
 
@@ -121,17 +125,33 @@ void ObjectColumns::find_edges()
   }
   auto const key = [](Side const& s) { return std::tie(s.a.x, s.a.y, s.b.x, s.b.y); };
   std::ranges::stable_sort(sides, {}, [&](Side const& s) { return key(s); });
-  std::vector<Side> group;
+  std::vector<Side> group, uncovered;
   for (std::size_t i = 0, j = 0; i < sides.size(); i = j) {
     while (j < sides.size() && key(sides[j]) == key(sides[i])) ++j;
     group.assign(sides.begin() + static_cast<std::ptrdiff_t>(i), sides.begin() + static_cast<std::ptrdiff_t>(j));
-    for (auto const& s : group) {
-      bool const curtain = result_.columns[s.column].size() == 2;
-      if (curtain ? is_covered(group, s) : is_redundant(group, s)) continue;
-      result_.edges.push_back({s.forward ? s.a : s.b, s.forward ? s.b : s.a, s.column});
-    }
+    uncovered.clear();
+    std::ranges::copy_if(group, std::back_inserter(uncovered), [&](Side const& s) { return !is_covered(group, s); });
+    for (auto const& s : uncovered)
+      if (is_curtain(s) || !is_redundant(uncovered, s))
+        result_.edges.push_back({s.forward ? s.a : s.b, s.forward ? s.b : s.a, s.column});
   }
   std::ranges::stable_sort(result_.edges, {}, &Edge::column);
+  drop_idle_curtains();
+}
+
+/// Removes the curtains that have lost their edge: nothing remains of them.
+void ObjectColumns::drop_idle_curtains()
+{
+  std::uint32_t kept = 0;
+  auto edge = result_.edges.begin();
+  for (std::uint32_t c = 0; c < result_.columns.size(); ++c) {
+    auto const last = std::find_if(edge, result_.edges.end(), [&](Edge const& e) { return e.column != c; });
+    if (result_.columns[c].size() == 2 && edge == last) continue;
+    for (; edge != last; ++edge) edge->column = kept;
+    if (kept != c) result_.columns[kept] = std::move(result_.columns[c]);
+    ++kept;
+  }
+  result_.columns.resize(kept);
 }
 
 }  // namespace visibility::height_field

@@ -34,7 +34,9 @@ private:
   void add_triangle(Point3d const& a, Point3d const& b, Point3d const& c);
   void add_curtain(Point3d const& a, Point3d const& b);
   void find_edges();
-  bool is_covered(std::vector<Side> const& group, Side const& curtain) const;
+  void drop_idle_curtains();
+  bool is_curtain(Side const& s) const { return result_.columns[s.column].size() == 2; }
+  bool is_covered(std::vector<Side> const& group, Side const& side) const;
   bool is_redundant(std::vector<Side> const& group, Side const& side) const;
 
   Scene const& scene_;

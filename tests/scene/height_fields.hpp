@@ -72,9 +72,13 @@ inline std::vector<Shape> random_shapes(Random& random, int count, int n)
       shapes.push_back(mesh({triangle(p, q, {r.x, r.y, double(random.between(0, 4))})}));
       break;
     }
-    default: {  // two triangles that share an edge, in plan on either side of it or on the same
+    default: {  // triangles that share an edge, in plan on either side of it or on the same, sometimes one below others
       Point3d const p = point(), q = point();
       shapes.push_back(mesh({triangle(p, q, point()), triangle(q, p, point())}));
+      for (int k = random.below(3); k > 0; --k) {
+        double const low = random.between(0, 1);
+        shapes.back().triangles.push_back(triangle({p.x, p.y, p.z - low}, {q.x, q.y, q.z - random.below(2)}, point()));
+      }
     }
     }
   }

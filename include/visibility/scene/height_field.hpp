@@ -37,10 +37,10 @@ public:
   explicit HeightField(Scene const& scene);
 
   Scene const& scene() const { return *scene_; }
-  std::span<Column const> columns() const { return columns_; }  ///< in object order
+  std::span<Column const> columns() const { return columns_; }  ///< in object order; every curtain has an edge
   std::span<Point3d const> corners(Column const& c) const { return {corners_.data() + c.first, c.count}; }
-  /// In object order. Left out are sides that two columns of an object share where the top is flat or a valley: a sight
-  /// line above all other edges is above these.
+  /// In object order. Left out are sides below a higher one of the same object, and those that two columns of an object
+  /// share where the top is flat or a valley: a sight line above all other edges is above these.
   std::span<TopEdge const> edges() const { return edges_; }
   std::uint32_t object_of(TopEdge const& e) const { return columns_[e.column].object; }
 
