@@ -6,6 +6,7 @@
 #include "visibility/methods/exact_25d/counts.hpp"
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/sight_line_shot.hpp"
+#include "visibility/methods/exact_25d/target.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -80,11 +81,11 @@ private:
   }
   bool is_ahead(Index leaf, Edge const& edge) const;
   boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const;
-  bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, bool as_occluder);
+  bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed, bool as_occluder);
   bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
                       bool as_occluder) const;
-  Find sample(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target);
-  Find decide(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target);
+  Find sample(Index leaf, Funnel const& lines, Target const& target);
+  Find decide(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence& sequence,
               std::vector<Ambiguous> const& ambiguous, std::size_t next, std::size_t condition);
   Find confirm(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence const& sequence,
@@ -208,10 +209,13 @@ bool Search<A>::is_hidden_from(Index leaf, Edge const& source, EdgeRange const& 
 
 /// Whether single edges hide the target from every source. As an occluder it is then of no use either.
 template <Arithmetic A>
-bool Search<A>::is_hidden(Index leaf, Funnel const& lines, Edge const& target, bool as_occluder)
+bool Search<A>::is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed,
+                          bool as_occluder)
 {
   if (!options_.penumbra_wedges || tree_.leaf(leaf).blockers.empty()) return false;
-  EdgeRange const t = crossed_range(lines, gate(target));
+  EdgeRange t = crossed_range(lines, gate(target));
+  t = {std::max(t.low, exposed.low), std::min(t.high, exposed.high)};
+  if (t.low > t.high) return true;
   auto const from = sources(leaf, target);
   std::size_t const outer = from.size() - 2 * cell_.inner.size();
   for (std::size_t i = 0; i < from.size(); ++i) {
@@ -232,18 +236,21 @@ void Search<A>::scan(CrossedEdge const& crossed)
   box.extend(e.a);
   box.extend(e.b);
   auto const object = field_.object_of(e);
+  std::optional<Target> target;
+  if (!is_visible_[object]) target.emplace(field_, crossed);
   bool is_open = false;
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
     if (!is_ahead(leaf, edge)) return false;
     ++counts_.portal_tests;
-    if (is_hidden(leaf, lines, edge, true)) {
+    bool const is_target = !is_visible_[object] && !target->is_covered();
+    if (is_hidden(leaf, lines, edge, {}, true)) {
       ++counts_.wedge_hidden;
-      // A collinear occluder of equal height hides it as an occluder only.
-      is_open |= !is_visible_[object] && !is_hidden(leaf, lines, edge, false);
+      // What an edge of equal height in the same place hides as an occluder may still be seen.
+      is_open |= is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false);
       return false;
     }
-    if (!is_visible_[object]) {
-      Find const find = options_.sampled_lines ? sample(leaf, lines, crossed, edge) : Find::nothing;
+    if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false)) {
+      Find const find = options_.sampled_lines ? sample(leaf, lines, *target) : Find::nothing;
       if (find == Find::visible) ++counts_.sampled_visible, found(crossed);
       if (find == Find::blocked) return true;
       is_open |= find == Find::nothing;
@@ -263,7 +270,7 @@ void Search<A>::insert(CrossedEdge const& crossed)
   box.extend(e.a);
   box.extend(e.b);
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
-    if (is_ahead(leaf, edge) && !is_hidden(leaf, lines, edge, true)) insert_in_leaf(leaf, crossed, edge, lines);
+    if (is_ahead(leaf, edge) && !is_hidden(leaf, lines, edge, {}, true)) insert_in_leaf(leaf, crossed, edge, lines);
     return false;
   });
 }
@@ -313,8 +320,10 @@ bool Search<A>::in_interior(Point3d const& p) const
 
 /// Tries sight lines in the middle and near the corners of the polygon of lines, where the clearance is greatest.
 template <Arithmetic A>
-auto Search<A>::sample(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target) -> Find
+auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> Find
 {
+  Edge const& target = whole.edge();
+  CrossedEdge const& crossed = whole.crossed();
   auto const& vertices = lines.vertices();
   std::size_t const n = vertices.size();
   // The lines as homogeneous vectors of equal size, by the sides of the four ends.
@@ -343,7 +352,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, CrossedEdge const& cross
       }
       double const s = sum.source_left / (sum.source_left - sum.source_right);
       double const t = sum.target_left / (sum.target_left - sum.target_right);
-      if (!(s > 0 && s < 1 && t > 0 && t < 1)) continue;
+      if (!(s > 0 && s < 1 && whole.may_be_exposed(t))) continue;
       if (std::ranges::any_of(wedges, [&](auto const& w) { return !(w.at(s, t) > 0); })) continue;
       auto const between = [](Point3d const& a, Point3d const& b, double x) {
         return Point3d{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
@@ -359,7 +368,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, CrossedEdge const& cross
             !is_negative(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.right))) ||
             !is_negative(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(p))) ||
             !is_positive(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(q))) ||
-            !is_negative(orient3d<A>(p, q, target.right, target.left)))
+            !is_negative(orient3d<A>(p, q, target.right, target.left)) || !whole.is_exposed(p, q))
           continue;
         ++counts_.shots;
         auto const blocker = first_blocker(p, q, crossed);
@@ -418,18 +427,21 @@ std::optional<CrossedEdge> Search<A>::first_blocker(Point3<NT> const& p, Point3<
 template <Arithmetic A>
 void Search<A>::settle(CrossedEdge const& crossed)
 {
+  Target const target(field_, crossed);
+  if (target.is_covered()) return;
   auto const& e = field_.edges()[crossed.edge];
-  Edge const edge = portal(e, crossed.from_left);
   Box box;
   box.extend(e.a);
   box.extend(e.b);
   auto const object = field_.object_of(e);
-  tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
-    if (is_visible_[object] || !is_ahead(leaf, edge) || is_hidden(leaf, lines, edge, false)) return false;
-    Find find = options_.sampled_lines ? sample(leaf, lines, crossed, edge) : Find::nothing;
+  tree_.visit_leaves(gate(target.edge()), box, [&](Index leaf, Funnel const& lines) {
+    if (is_visible_[object] || !is_ahead(leaf, target.edge()) ||
+        is_hidden(leaf, lines, target.edge(), target.exposed_range(), false))
+      return false;
+    Find find = options_.sampled_lines ? sample(leaf, lines, target) : Find::nothing;
     if (find == Find::nothing) {
       ++counts_.decisions;
-      find = decide(leaf, lines, crossed, edge);
+      find = decide(leaf, lines, target);
       if (find == Find::visible) ++counts_.decided_visible;
     }
     if (find == Find::visible) found(crossed);
@@ -438,8 +450,9 @@ void Search<A>::settle(CrossedEdge const& crossed)
 }
 
 template <Arithmetic A>
-auto Search<A>::decide(Index leaf, Funnel const& lines, CrossedEdge const& crossed, Edge const& target) -> Find
+auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& whole) -> Find
 {
+  Edge const& target = whole.edge();
   for (auto const& source : sources(leaf, target)) {
     PortalSequence sequence;
     sequence.source = source;
@@ -465,7 +478,17 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, CrossedEdge const& cross
       else
         ambiguous.push_back(a);
     }
-    if (auto const find = decide(leaf, source, crossed, sequence, ambiguous, 0, 0); find != Find::nothing) return find;
+    if (whole.is_fully_exposed()) {
+      auto const find = decide(leaf, source, whole.crossed(), sequence, ambiguous, 0, 0);
+      if (find != Find::nothing) return find;
+    }
+    for (auto const& part : whole.parts()) {
+      sequence.constructed_points.push_back({whole.point(part.low), PortalSequence::Side::left});
+      sequence.constructed_points.push_back({whole.point(part.high), PortalSequence::Side::right});
+      auto const find = decide(leaf, source, whole.crossed(), sequence, ambiguous, 0, 0);
+      if (find != Find::nothing) return find;
+      sequence.constructed_points.resize(sequence.constructed_points.size() - 2);
+    }
   }
   return Find::nothing;
 }
