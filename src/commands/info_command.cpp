@@ -65,7 +65,7 @@ void add_info(CLI::App& app)
     print_bodies(ConvexBodies(scene));
     for (auto const& note : scene.notes) std::cout << "note: " << note << '\n';
     std::cout << "methods:";
-    for (auto const& name : method_names()) std::cout << ' ' << name;
+    for (auto const& name : applicable_methods(scene)) std::cout << ' ' << name;
     std::cout << '\n';
   });
 }

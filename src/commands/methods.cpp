@@ -2,6 +2,7 @@
 
 #include "count_option.hpp"
 
+#include "visibility/methods/exact_25d/method.hpp"
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -47,11 +48,18 @@ void require_one_of(std::string const& option, std::string const& value, std::ve
 
 }  // namespace
 
-std::vector<std::string> method_names() { return {"strong-occlusion", "sampling"}; }
+std::vector<std::string> method_names() { return {"strong-occlusion", "exact-2.5d", "sampling"}; }
+
+std::vector<std::string> applicable_methods(Scene const& scene)
+{
+  auto names = method_names();
+  if (!scene.balls.empty() || HeightField(scene).raised() > 0) std::erase(names, "exact-2.5d");
+  return names;
+}
 
 void MethodArguments::add_to(CLI::App& command)
 {
-  command.add_option("--method", method, "strong-occlusion (default) or sampling");
+  command.add_option("--method", method, "strong-occlusion (default), exact-2.5d or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
   command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
@@ -62,6 +70,7 @@ void MethodArguments::add_to(CLI::App& command)
   for (auto const& [name, optimization] : optimizations) names += (names.empty() ? "" : ", ") + std::string(name);
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
     ->delimiter(',');
+  command.add_flag("--witnesses", witnesses, "exact-2.5d: write a sight line to every visible object");
   add_count_option(command, "--rays", rays, "sampling: rays to shoot (default 1000000)");
   command.add_option("--seconds", seconds, "sampling: stop after this time (default 0: no limit)");
   command.add_option("--seed", seed, "sampling: seed (default 1)");
@@ -80,21 +89,15 @@ void MethodArguments::validate() const
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
   if (method != "strong-occlusion" && !without.empty()) throw BadInput("--without applies to strong-occlusion only");
+  if (method != "exact-2.5d" && witnesses) throw BadInput("--witnesses applies to exact-2.5d only");
   if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
-}
-
-void MethodArguments::prepare(std::optional<PreparedScene>& prepared, Scene const& scene) const
-{
-  if (method == "strong-occlusion" && !no_inner_bodies)
-    prepared.emplace(scene, InnerBodyOptions{});
-  else
-    prepared.emplace(scene);
 }
 
 std::map<std::string, std::string> MethodArguments::options() const
 {
   if (method == "sampling")
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
+  if (method == "exact-2.5d") return {};
   std::map<std::string, std::string> out{{"granularity", granularity},
                                          {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
@@ -102,10 +105,30 @@ std::map<std::string, std::string> MethodArguments::options() const
   return out;
 }
 
-MethodRunner::MethodRunner(MethodArguments arguments, PreparedScene const& scene)
-  : arguments_(std::move(arguments)), scene_(scene)
+namespace {
+
+/// Below a column that ends above the ground sight lines pass that a height field does not know.
+void require_height_field(HeightField const& field)
 {
-  if (arguments_.method == "sampling") rays_.emplace(scene);
+  if (field.raised() == 0) return;
+  throw BadInput("--method exact-2.5d: " + std::to_string(field.raised()) +
+                 " objects end above the lowest point of the scene, so it is not a height field as it is; give "
+                 "--grounded to have everything below an upper surface count as solid");
+}
+
+}  // namespace
+
+MethodRunner::MethodRunner(MethodArguments arguments, Scene const& scene) : arguments_(std::move(arguments))
+{
+  if (arguments_.method == "exact-2.5d") {
+    height_field_.emplace(scene);
+    require_height_field(*height_field_);
+  } else if (arguments_.method == "strong-occlusion" && !arguments_.no_inner_bodies) {
+    scene_.emplace(scene, InnerBodyOptions{});
+  } else {
+    scene_.emplace(scene);
+  }
+  if (arguments_.method == "sampling") rays_.emplace(*scene_);
 }
 
 PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
@@ -115,15 +138,29 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
     return Sampling(
       {.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed, .progress = progress})(*rays_,
                                                                                                                cell);
-  auto const options = strong_occlusion_options(arguments_);
-  auto const run = [&] {
-    if (arguments_.arithmetic == "rational") return StrongOcclusion<Rational>(options)(scene_, cell);
-    if (arguments_.arithmetic == "double") return StrongOcclusion<Double>(options)(scene_, cell);
-    return StrongOcclusion<Filtered>(options)(scene_, cell);
-  };
-  auto set = run();
+  auto set = height_field_ ? exact_25d(cell) : strong_occlusion(cell);
   progress(1);
   return set;
+}
+
+PotentiallyVisibleSet MethodRunner::exact_25d(ViewCell const& cell) const
+{
+  if (cell.bounds().min.z < height_field_->ground())
+    throw BadInput("--method exact-2.5d: a cell reaches below the lowest point of the scene, z = " +
+                   std::to_string(height_field_->ground()));
+  exact_25d::Options options;
+  options.witnesses = arguments_.witnesses;
+  if (arguments_.arithmetic == "rational") return Exact25d<Rational>(options)(*height_field_, cell);
+  if (arguments_.arithmetic == "double") return Exact25d<Double>(options)(*height_field_, cell);
+  return Exact25d<Filtered>(options)(*height_field_, cell);
+}
+
+PotentiallyVisibleSet MethodRunner::strong_occlusion(ViewCell const& cell) const
+{
+  auto const options = strong_occlusion_options(arguments_);
+  if (arguments_.arithmetic == "rational") return StrongOcclusion<Rational>(options)(*scene_, cell);
+  if (arguments_.arithmetic == "double") return StrongOcclusion<Double>(options)(*scene_, cell);
+  return StrongOcclusion<Filtered>(options)(*scene_, cell);
 }
 
 std::vector<CellSet> MethodRunner::refine(Partition const& partition,
@@ -134,10 +171,10 @@ std::vector<CellSet> MethodRunner::refine(Partition const& partition,
   auto const options = strong_occlusion_options(arguments_);
   auto const coarse = strong_occlusion::granularity_from_string(arguments_.coarse_granularity);
   if (arguments_.arithmetic == "rational")
-    return refine_strong_occlusion<Rational>(options, coarse, scene_, partition, progress);
+    return refine_strong_occlusion<Rational>(options, coarse, *scene_, partition, progress);
   if (arguments_.arithmetic == "double")
-    return refine_strong_occlusion<Double>(options, coarse, scene_, partition, progress);
-  return refine_strong_occlusion<Filtered>(options, coarse, scene_, partition, progress);
+    return refine_strong_occlusion<Double>(options, coarse, *scene_, partition, progress);
+  return refine_strong_occlusion<Filtered>(options, coarse, *scene_, partition, progress);
 }
 
 std::uint64_t MethodRunner::steps_per_cell() const { return rays_ ? arguments_.rays : 1; }

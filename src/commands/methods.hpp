@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/evidence/ray_scene.hpp"
+#include "visibility/scene/height_field.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
@@ -27,6 +28,7 @@ struct MethodArguments {
   std::string granularity = "face";
   std::string coarse_granularity = "part";
   bool no_inner_bodies = false;
+  bool witnesses = false;
   std::vector<std::string> without;  ///< optimizations of strong occlusion that are switched off
   std::uint64_t rays = 1'000'000;
   double seconds = 0;
@@ -35,8 +37,6 @@ struct MethodArguments {
   void add_to(CLI::App& command);
   /// Throws BadInput for a method, arithmetic or option value that does not exist.
   void validate() const;
-  /// What the method needs of the scene.
-  void prepare(std::optional<PreparedScene>& prepared, Scene const& scene) const;
   /// The options that matter to the method, as text for the result file.
   std::map<std::string, std::string> options() const;
 };
@@ -45,7 +45,8 @@ struct MethodArguments {
 class MethodRunner {
 public:
   /// Requires: validated arguments; keeps a reference to the scene. Builds what the method shares between cells.
-  MethodRunner(MethodArguments arguments, PreparedScene const& scene);
+  /// Throws BadInput if the method does not apply to the scene.
+  MethodRunner(MethodArguments arguments, Scene const& scene);
   /// `progress` is told of steps done, `steps_per_cell` of them for each cell (fewer if a time limit ends the run).
   PotentiallyVisibleSet operator()(ViewCell const& cell, std::function<void(std::uint64_t)> const& progress) const;
   std::uint64_t steps_per_cell() const;
@@ -55,11 +56,16 @@ public:
 
 private:
   MethodArguments arguments_;
-  PreparedScene const& scene_;
+  PotentiallyVisibleSet exact_25d(ViewCell const& cell) const;
+  PotentiallyVisibleSet strong_occlusion(ViewCell const& cell) const;
+
+  std::optional<PreparedScene> scene_;
   std::optional<RayScene> rays_;
+  std::optional<HeightField> height_field_;
 };
 
-/// Every method applies to every scene so far: each takes boxes, prisms, polyhedra, balls and triangles.
 std::vector<std::string> method_names();
+/// The methods that take the scene as it is.
+std::vector<std::string> applicable_methods(Scene const& scene);
 
 }  // namespace visibility::commands

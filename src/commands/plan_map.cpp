@@ -52,13 +52,13 @@ private:
 
 }  // namespace
 
-std::string plan_map(PreparedScene const& scene, ViewCell const& cell, PotentiallyVisibleSet const& set, int columns)
+std::string plan_map(Scene const& scene, ViewCell const& cell, PotentiallyVisibleSet const& set, int columns)
 {
   Box bounds = cell.bounds();
-  for (auto const& b : scene.object_bounds()) bounds.extend(b);
+  bounds.extend(bounding_box(scene));
   Canvas canvas(bounds, columns);
-  for (auto const& b : scene.object_bounds()) canvas.fill(b, '.');
-  for (auto const i : set.visible) canvas.fill(scene.object_bounds()[i], '#');
+  for (auto const& o : scene.objects) canvas.fill(bounding_box(scene, o), '.');
+  for (auto const i : set.visible) canvas.fill(bounding_box(scene, scene.objects[i]), '#');
   canvas.fill(cell.bounds(), 'C');
   return canvas.text();
 }

@@ -41,13 +41,12 @@ double seconds_since(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result make_result(Arguments const& a, PreparedScene const& scene, ViewCell const& cell,
-                   PotentiallyVisibleSet const& set)
+Result make_result(Arguments const& a, Scene const& scene, ViewCell const& cell, PotentiallyVisibleSet const& set)
 {
   Result r;
-  r.source = scene.scene().source;
-  r.objects = scene.scene().objects.size();
-  r.primitives = scene.scene().primitive_count();
+  r.source = scene.source;
+  r.objects = scene.objects.size();
+  r.primitives = scene.primitive_count();
   r.cell.assign(cell.vertices().begin(), cell.vertices().end());
   if (cell.is_box()) r.cell_box = cell.bounds();
   r.method = a.method.method;
@@ -55,9 +54,9 @@ Result make_result(Arguments const& a, PreparedScene const& scene, ViewCell cons
   r.options = a.method.options();
   r.guarantee = set.guarantee;
   r.statistics = set.statistics;
-  for (auto const i : set.visible) r.visible.push_back(scene.scene().objects[i].name);
+  for (auto const i : set.visible) r.visible.push_back(scene.objects[i].name);
   std::ranges::sort(r.visible);
-  for (auto const& w : set.witnesses) r.witnesses.push_back({scene.scene().objects[w.object].name, w.from, w.to});
+  for (auto const& w : set.witnesses) r.witnesses.push_back({scene.objects[w.object].name, w.from, w.to});
   std::ranges::sort(r.witnesses, {}, &NamedWitness::object);
   return r;
 }
@@ -141,10 +140,7 @@ void run(Arguments const& a)
   Scene const scene = a.scene.load();
   double const read = seconds_since(start);
   start = std::chrono::steady_clock::now();
-  std::optional<PreparedScene> prepared_scene;
-  a.method.prepare(prepared_scene, scene);
-  PreparedScene const& prepared = *prepared_scene;
-  MethodRunner const method(a.method, prepared);
+  MethodRunner const method(a.method, scene);
   double const build = seconds_since(start);
 
   unsigned const threads = a.threads != 0 ? a.threads : std::max(1U, std::thread::hardware_concurrency());
@@ -154,7 +150,7 @@ void run(Arguments const& a)
                          : one_by_one(method, partition ? finest_cells(*partition) : std::move(cells));
   std::vector<Result> results;
   for (std::size_t i = 0; i < answers.cells.size(); ++i) {
-    results.push_back(make_result(a, prepared, answers.cells[i], answers.sets[i].set));
+    results.push_back(make_result(a, scene, answers.cells[i], answers.sets[i].set));
     results.back().seconds = {read, build, answers.sets[i].seconds};
   }
   if (a.output.empty()) {
@@ -164,7 +160,7 @@ void run(Arguments const& a)
   write_output(a.output, to_json(results));
   if (a.map)
     for (std::size_t i = 0; i < answers.cells.size(); ++i)
-      std::cout << plan_map(prepared, answers.cells[i], answers.sets[i].set) << "# visible  . hidden  C view cell\n\n";
+      std::cout << plan_map(scene, answers.cells[i], answers.sets[i].set) << "# visible  . hidden  C view cell\n\n";
   print_summary(results, a.output);
 }
 

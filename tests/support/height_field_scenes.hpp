@@ -16,13 +16,13 @@ namespace visibility::test {
 
 /// Named recipes of small 2.5D scenes around a cell, all with ground 0.
 enum class HeightScene {
-  general,     ///< boxes anywhere, nothing equal
-  grid,        ///< boxes on an integer grid: abutting, overlapping, coincident, equal heights
-  streets,     ///< rows of boxes that share walls along streets, few heights
-  slanted,     ///< columns under triangles in general position
-  slanted_grid,///< columns under triangles with integer corners: shared and crossing edges
-  far_detail,  ///< the grid of `grid`, in millimetres, near 10^6
-  one_ulp      ///< `streets` with corners and heights moved by an ulp
+  general,       ///< boxes anywhere, nothing equal
+  grid,          ///< boxes on an integer grid: abutting, overlapping, coincident, equal heights
+  streets,       ///< rows of boxes that share walls along streets, few heights
+  slanted,       ///< columns under triangles in general position
+  slanted_grid,  ///< columns under triangles with integer corners: shared and crossing edges
+  far_detail,    ///< the grid of `grid`, in millimetres, near 10^6
+  one_ulp        ///< `streets` with corners and heights moved by an ulp
 };
 inline constexpr HeightScene height_scenes[] = {
   HeightScene::general,      HeightScene::grid,       HeightScene::streets, HeightScene::slanted,
@@ -69,8 +69,7 @@ inline HeightCase height_case(Random& random, HeightScene kind, int objects)
   bool const grid = kind == HeightScene::grid || kind == HeightScene::far_detail;
   detail::BoxMaker box{random, grid};
   auto const place = [&](Point3d p) {
-    if (kind == HeightScene::far_detail)
-      return Point3d{1e6 + p.x * 0.001, 2e6 + p.y * 0.001, p.z * 0.001};
+    if (kind == HeightScene::far_detail) return Point3d{1e6 + p.x * 0.001, 2e6 + p.y * 0.001, p.z * 0.001};
     if (kind == HeightScene::one_ulp)
       return Point3d{detail::jolt(random, p.x), detail::jolt(random, p.y), p.z > 0 ? detail::jolt(random, p.z) : p.z};
     return p;
@@ -84,7 +83,8 @@ inline HeightCase height_case(Random& random, HeightScene kind, int objects)
       std::array<Point3d, 3> t;
       for (auto& c : t) c = {x + number(-3, 3), y + number(-3, 3), number(1, 6)};
       Sign const turn = orient2d<Filtered>(horizontal(t[0]), horizontal(t[1]), horizontal(t[2]));
-      bool const near = std::ranges::any_of(t, [](Point3d const& c) { return std::fabs(c.x) < 4 && std::fabs(c.y) < 4; });
+      bool const near =
+        std::ranges::any_of(t, [](Point3d const& c) { return std::fabs(c.x) < 4 && std::fabs(c.y) < 4; });
       if (is_zero(turn) || near) continue;
       return t;
     }
@@ -121,7 +121,9 @@ inline HeightCase height_case(Random& random, HeightScene kind, int objects)
     footprint = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   else
     footprint = {{-1, -0.5}, {0.25, -1}, {1, 0.5}, {-0.5, 1}};
-  double const bottom = 0.5, top = kind == HeightScene::general ? random.uniform(0.6, 3) : random.chance(0.6) ? 1.0 : double(random.between(1, 4));
+  double const bottom = 0.5, top = kind == HeightScene::general ? random.uniform(0.6, 3)
+                                   : random.chance(0.6)         ? 1.0
+                                                                : double(random.between(1, 4));
   for (auto const& p : footprint)
     for (double const z : {bottom, top}) {
       Point3d q{p.x, p.y, z};

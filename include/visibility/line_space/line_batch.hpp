@@ -9,8 +9,8 @@
 namespace visibility {
 
 /// The vertices of a funnel side by side, to ask on which side of all of them a plan point lies: the question that
-/// every node of an occlusion tree puts. One multiply-add per line in doubles about a local origin, with one error bound
-/// for all; where it cannot tell, the exact predicate does. proofs/exact_2_5d.md, "Sides of many lines".
+/// every node of an occlusion tree puts. One multiply-add per line in doubles about a local origin, with one error
+/// bound for all; where it cannot tell, the exact predicate does. proofs/exact_2_5d.md, "Sides of many lines".
 template <Arithmetic A>
 class LineBatch {
 public:

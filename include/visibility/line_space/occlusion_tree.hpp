@@ -36,12 +36,12 @@ public:
     std::uint16_t entry = 0, exit = 0;  ///< sides of the outline
   };
   struct Node {
-    Point2d point{};       ///< by which an inner node is divided
-    double slope = 0;      ///< see `hides`
+    Point2d point{};   ///< by which an inner node is divided
+    double slope = 0;  ///< see `hides`
     double reach = HUGE_VAL;
-    Index child = none;    ///< the left child, where the point lies left; the right one follows
+    Index child = none;  ///< the left child, where the point lies left; the right one follows
     Index parent = none;
-    Index leaf = none;     ///< of a leaf, its place among the leaves; a divided leaf leaves it to its left child
+    Index leaf = none;  ///< of a leaf, its place among the leaves; a divided leaf leaves it to its left child
     bool is_leaf() const { return child == none; }
   };
 
@@ -50,7 +50,9 @@ public:
     for (std::size_t i = 0; i < cell.size(); ++i)
       for (std::size_t j = 0; j < cell.size(); ++j)
         if (i != j) {
-          Leaf root{Funnel::through<A>(gate(cell.entry(i)), gate(cell.exit(j))), {}, static_cast<std::uint16_t>(i),
+          Leaf root{Funnel::through<A>(gate(cell.entry(i)), gate(cell.exit(j))),
+                    {},
+                    static_cast<std::uint16_t>(i),
                     static_cast<std::uint16_t>(j)};
           if (root.lines.empty()) continue;
           nodes_.emplace_back().leaf = static_cast<Index>(leaves_.size());
@@ -131,8 +133,8 @@ private:
   void update(Index leaf);
 
   CellOutline const& cell_;
-  std::vector<Node> nodes_;    // small, for the way down
-  std::deque<Leaf> leaves_;    // references stay valid
+  std::vector<Node> nodes_;           // small, for the way down
+  std::deque<Leaf> leaves_;           // references stay valid
   std::vector<std::uint16_t> exits_;  // of the roots
   std::vector<Funnel> root_lines_;
   Index roots_ = 0;

@@ -37,13 +37,18 @@ struct BilinearForm {
 template <class NT>
 class PortalDecision {
 public:
-  /// Requires: rational or floating-point numbers if the sequence has constructed points.
+  /// Requires: rational or floating-point numbers if the sequence has constructed points or a constructed target.
   explicit PortalDecision(PortalSequence const& sequence)
   {
-    for (auto const& f : sequence.occluders) add(occluder_form(sequence, f));
-    for (auto const& x : sequence.points) add(point_form(sequence, Point2<NT>{NT(x.point.x), NT(x.point.y)}, x.side));
+    source_ = {number(sequence.source.left), number(sequence.source.right)};
+    if (sequence.constructed_target)
+      target_ = {number(sequence.constructed_target->left), number(sequence.constructed_target->right)};
+    else
+      target_ = {number(sequence.target.left), number(sequence.target.right)};
+    for (auto const& f : sequence.occluders) add(occluder_form(f));
+    for (auto const& x : sequence.points) add(point_form(Point2<NT>{NT(x.point.x), NT(x.point.y)}, x.side));
     for (auto const& x : sequence.constructed_points)
-      add(point_form(sequence, Point2<NT>{number(x.point.x), number(x.point.y)}, x.side));
+      add(point_form(Point2<NT>{number(x.point.x), number(x.point.y)}, x.side));
   }
 
   /// A sight line by its parameters on source and target.
@@ -73,8 +78,11 @@ public:
 
 private:
   using Form = BilinearForm<NT>;
+  using Point = Point3<NT>;
   using Linear = std::array<NT, 2>;  // constant and slope
 
+  static Point number(Point3d const& p) { return {NT(p.x), NT(p.y), NT(p.z)}; }
+  static Point number(Point3q const& p) { return {number(p.x), number(p.y), number(p.z)}; }
   static NT number(RationalNumber const& x)
   {
     if constexpr (std::is_same_v<NT, RationalNumber>)
@@ -90,24 +98,30 @@ private:
   static RationalNumber rational(ExactNumber const& x) { return x.operator CGAL::Gmpq(); }
 #endif
 
-  static Form occluder_form(PortalSequence const& q, PortalSequence::Edge const& f)
+  /// How far a line passes above an edge.
+  Form occluder_form(PortalSequence::Edge const& f) const
   {
-    auto const above = [&](Point3d const& a, Point3d const& b) {
-      return detail::Orient3dFormula{}(NT(a.x), NT(a.y), NT(a.z), NT(b.x), NT(b.y), NT(b.z), NT(f.right.x),
-                                       NT(f.right.y), NT(f.right.z), NT(f.left.x), NT(f.left.y), NT(f.left.z));
-    };
-    return Form::from_corners(above(q.source.left, q.target.left), above(q.source.right, q.target.left),
-                              above(q.source.left, q.target.right), above(q.source.right, q.target.right));
+    Point const left = number(f.left), right = number(f.right);
+    return form([&](Point const& a, Point const& b) {
+      return NT(
+        detail::Orient3dFormula{}(a.x, a.y, a.z, b.x, b.y, b.z, right.x, right.y, right.z, left.x, left.y, left.z));
+    });
   }
 
-  static Form point_form(PortalSequence const& q, Point2<NT> const& x, PortalSequence::Side side)
+  /// How far a plan point lies on its side of a line.
+  Form point_form(Point2<NT> const& x, PortalSequence::Side side) const
   {
-    auto const left = [&](Point3d const& a, Point3d const& b) {
-      NT const turn = detail::Orient2dFormula{}(NT(a.x), NT(a.y), NT(b.x), NT(b.y), x.x, x.y);
+    return form([&](Point const& a, Point const& b) {
+      NT const turn = detail::Orient2dFormula{}(a.x, a.y, b.x, b.y, x.x, x.y);
       return side == PortalSequence::Side::left ? turn : NT(NT(0) - turn);
-    };
-    return Form::from_corners(left(q.source.left, q.target.left), left(q.source.right, q.target.left),
-                              left(q.source.left, q.target.right), left(q.source.right, q.target.right));
+    });
+  }
+
+  template <class Condition>
+  Form form(Condition const& at) const
+  {
+    return Form::from_corners(at(source_[0], target_[0]), at(source_[1], target_[0]), at(source_[0], target_[1]),
+                              at(source_[1], target_[1]));
   }
 
   /// Leaves out what holds on the whole open square.
@@ -127,6 +141,7 @@ private:
                                    QuadraticNumber<NT> const& high);
   RationalNumber middle_target(RationalNumber const& s) const;
 
+  std::array<Point, 2> source_, target_;  // left and right end
   std::vector<Form> forms_;
 };
 

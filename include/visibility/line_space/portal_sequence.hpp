@@ -3,6 +3,7 @@
 #include "visibility/kernel/point.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace visibility {
@@ -41,7 +42,12 @@ struct PortalSequence {
     Side side;
   };
 
+  struct ConstructedEdge {
+    Point3q left, right;
+  };
+
   Edge source, target;
+  std::optional<ConstructedEdge> constructed_target;  ///< replaces `target`
   std::vector<Edge> occluders;
   std::vector<SidedPoint> points;
   std::vector<SidedConstructedPoint> constructed_points;

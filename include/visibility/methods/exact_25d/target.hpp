@@ -15,16 +15,14 @@ class Target {
 public:
   Target(HeightField const& field, CrossedEdge const& crossed) : crossed_(crossed), edge_(portal(field, crossed))
   {
-    auto exposed =
-      exposed_parts(field, crossed.edge, crossed.from_left ? Crossing::leaving : Crossing::entering);
+    auto exposed = exposed_parts(field, crossed.edge, crossed.from_left ? Crossing::leaving : Crossing::entering);
     all_ = exposed.all;
     parts_ = std::move(exposed.parts);
     if (crossed.from_left) {  // the ends are exchanged
       std::ranges::reverse(parts_);
       for (auto& p : parts_) p = {RationalNumber(1) - p.high, RationalNumber(1) - p.low};
     }
-    for (auto const& p : parts_)
-      bounds_.push_back({CGAL::to_interval(p.low).first, CGAL::to_interval(p.high).second});
+    for (auto const& p : parts_) bounds_.push_back({CGAL::to_interval(p.low).first, CGAL::to_interval(p.high).second});
   }
 
   CrossedEdge const& crossed() const { return crossed_; }
@@ -46,9 +44,9 @@ public:
   {
     if (all_) return true;
     auto const side = [&](Point3d const& x) {
-      return RationalNumber(visibility::detail::Orient2dFormula{}(
-        RationalNumber(p.x), RationalNumber(p.y), RationalNumber(q.x), RationalNumber(q.y), RationalNumber(x.x),
-        RationalNumber(x.y)));
+      return RationalNumber(visibility::detail::Orient2dFormula{}(RationalNumber(p.x), RationalNumber(p.y),
+                                                                  RationalNumber(q.x), RationalNumber(q.y),
+                                                                  RationalNumber(x.x), RationalNumber(x.y)));
     };
     RationalNumber const left = side(edge_.left), t = left / (left - side(edge_.right));
     return std::ranges::any_of(parts_, [&](OpenInterval const& i) { return i.low < t && t < i.high; });
