@@ -31,5 +31,9 @@ struct CellOutline {
 };
 
 inline PlanGate gate(PortalSequence::Edge const& e) { return {horizontal(e.left), horizontal(e.right)}; }
+inline Gate<RationalNumber> exact_gate(PortalSequence::Edge const& e)
+{
+  return {horizontal(exact(e.left)), horizontal(exact(e.right))};
+}
 
 }  // namespace visibility

@@ -10,9 +10,11 @@
 namespace visibility {
 
 /// Two plan points by where they lie as seen along a directed line that passes between them.
-struct PlanGate {
-  Point2d left, right;
+template <class NT>
+struct Gate {
+  Point2<NT> left, right;
 };
+using PlanGate = Gate<double>;
 
 /// A convex polygon of 2D line space with interior: directed lines of the plan, bounded by plan points that lie on one
 /// side of them. Every vertex is a line through two input points, so no coordinate is ever constructed. The side of the

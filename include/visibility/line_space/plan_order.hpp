@@ -14,8 +14,8 @@ enum class PlanOrder : std::uint8_t {
 
 /// Where `f` is crossed relative to `e`. Requires: some directed line has both left ends on its left and both right
 /// ends on its right; unless the edges cross, the answer then holds for all such lines. Exact.
-template <Arithmetic A>
-PlanOrder plan_order(PlanGate const& e, PlanGate const& f)
+template <Arithmetic A, class NT>
+PlanOrder plan_order(Gate<NT> const& e, Gate<NT> const& f)
 {
   // Ahead of a gate is the left side of left -> right.
   Sign const fl = orient2d<A>(e.left, e.right, f.left), fr = orient2d<A>(e.left, e.right, f.right);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include "visibility/line_space/occlusion_tree.hpp"
-#include "visibility/line_space/portal_decision.hpp"
 #include "visibility/methods/exact_25d/cell_contacts.hpp"
 #include "visibility/methods/exact_25d/counts.hpp"
 #include "visibility/methods/exact_25d/options.hpp"
-#include "visibility/methods/exact_25d/sight_line_shot.hpp"
+#include "visibility/methods/exact_25d/portal_question.hpp"
+#include "visibility/methods/exact_25d/scene_shot.hpp"
 #include "visibility/methods/exact_25d/target.hpp"
 
 #include <algorithm>
@@ -43,6 +43,7 @@ public:
     traverse();
     for (std::size_t i = 0; i < open_.size(); ++i)
       if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
+    for (auto const& seam : field_.seams()) settle(seam);
   }
 
   std::vector<bool> const& is_visible() const { return is_visible_; }
@@ -56,21 +57,12 @@ private:
   using Index = typename Tree::Index;
   using Edge = PortalSequence::Edge;
   enum class Find { visible, blocked, nothing };
-  /// An edge that stops only those lines of a leaf that cross it beyond the side by which they enter the cell, and
-  /// before the target.
-  struct Ambiguous {
-    Edge edge;
-    struct Condition {
-      Edge other;
-      bool nearer;  ///< the edge must be crossed before the other, or else after it
-    };
-    boost::container::small_vector<Condition, 2> conditions;
-  };
 
   void traverse();
   void process(std::uint32_t edge);
   void scan(CrossedEdge const& crossed);
   void settle(CrossedEdge const& crossed);
+  void settle(Seam const& seam);
   void insert(CrossedEdge const& crossed);
   bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines);
 
@@ -81,17 +73,17 @@ private:
   }
   bool is_ahead(Index leaf, Edge const& edge) const;
   boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const;
+  boost::container::small_vector<Edge, 2> all_sources(Index leaf) const;
   bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed, bool as_occluder);
   bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
                       bool as_occluder) const;
   Find sample(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Funnel const& lines, Target const& target);
-  Find decide(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence& sequence,
-              std::vector<Ambiguous> const& ambiguous, std::size_t next, std::size_t condition);
-  Find confirm(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence const& sequence,
-               RationalNumber const& s, RationalNumber const& t);
-  template <class NT>
-  std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target);
+  Find decide(Index leaf, Funnel const& lines, SeamPart const& part);
+  template <class Answer>
+  Find ask(PortalQuestion<A> question, Index leaf, Answer const& answer);
+  template <class Shoot>
+  Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot);
   bool in_interior(Point3d const& p) const;
   void found(CrossedEdge const& crossed) { is_visible_[field_.object_of(field_.edges()[crossed.edge])] = true; }
 
@@ -101,6 +93,7 @@ private:
   CellOutline cell_;
   Tree tree_;
   CellContacts contacts_;
+  SceneShot<A> shot_;
   std::vector<bool> is_visible_;
   std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
   std::vector<Witness> sight_lines_;
@@ -188,6 +181,18 @@ auto Search<A>::sources(Index leaf, Edge const& target) const -> boost::containe
   boost::container::small_vector<Edge, 2> out;
   if (!cell_.flat || std::min(target.left.z, target.right.z) < cell_.top) out.push_back(cell_.exit(n.exit));
   if (!cell_.flat || std::max(target.left.z, target.right.z) >= cell_.top) out.push_back(cell_.entry(n.entry));
+  for (auto const& e : cell_.inner) {
+    out.push_back(e);
+    out.push_back({e.right, e.left});
+  }
+  return out;
+}
+
+template <Arithmetic A>
+auto Search<A>::all_sources(Index leaf) const -> boost::container::small_vector<Edge, 2>
+{
+  auto const& l = tree_.leaf(leaf);
+  boost::container::small_vector<Edge, 2> out{cell_.exit(l.exit), cell_.entry(l.entry)};
   for (auto const& e : cell_.inner) {
     out.push_back(e);
     out.push_back({e.right, e.left});
@@ -371,7 +376,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
             !is_negative(orient3d<A>(p, q, target.right, target.left)) || !whole.is_exposed(p, q))
           continue;
         ++counts_.shots;
-        auto const blocker = first_blocker(p, q, crossed);
+        auto const blocker = shot_.first_blocker(p, q, crossed);
         if (!blocker) return Find::visible;
         Edge const edge = portal(field_, *blocker);
         if (holds(leaf, edge)) continue;  // too far below the top: closer
@@ -382,45 +387,6 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
     }
   }
   return Find::nothing;
-}
-
-/// An edge that stops the segment before it crosses the target; of several, one that rises high as seen from p.
-template <Arithmetic A>
-template <class NT>
-std::optional<CrossedEdge> Search<A>::first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target)
-{
-  using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
-  auto const& target_edge = field_.edges()[target.edge];
-  Edge const target_portal = portal(target_edge, target.from_left);
-  Point3d const from{CGAL::to_double(p.x), CGAL::to_double(p.y), CGAL::to_double(p.z)};
-  Point3d const to{CGAL::to_double(q.x), CGAL::to_double(q.y), CGAL::to_double(q.z)};
-  SegmentProbe const probe(from, to);
-  double const room = std::same_as<NT, double> ? 0
-                                               : 0x1p-50 * (std::fabs(from.x) + std::fabs(from.y) + std::fabs(from.z) +
-                                                            std::fabs(to.x) + std::fabs(to.y) + std::fabs(to.z));
-  auto const misses = [&](Box b) {
-    b.min = {b.min.x - room, b.min.y - room, b.min.z};
-    b.max = {b.max.x + room, b.max.y + room, b.max.z + room};
-    return probe.certainly_misses(b);
-  };
-  std::optional<CrossedEdge> best;
-  double steepest = 0;
-  auto const& h = field_.edge_hierarchy();
-  h.front_to_back(
-    view_.bounds(), [&](std::uint32_t, Box const& b) { return !misses(b); },
-    [&](std::uint32_t i) {
-      auto const& e = field_.edges()[i];
-      if (i == target.edge || std::ranges::binary_search(contacts_.ignored_edges, i)) return;
-      if (!stops<Exactness>(p, q, target_portal, e)) return;
-      double const x = (e.a.x + e.b.x) / 2 - from.x, y = (e.a.y + e.b.y) / 2 - from.y;
-      double const slope = (std::max(e.a.z, e.b.z) - from.z) / std::hypot(x, y);
-      if (best && slope <= steepest) return;
-      steepest = slope;
-      // Crossed from the left of a -> b iff the eye lies there.
-      best = CrossedEdge{
-        i, is_positive(orient2d<Exactness>(horizontal(as<NT>(e.a)), horizontal(as<NT>(e.b)), horizontal(p)))};
-    });
-  return best;
 }
 
 /// Decides an edge that wedges and samples left open.
@@ -449,130 +415,100 @@ void Search<A>::settle(CrossedEdge const& crossed)
   });
 }
 
+/// Looks for the top of a column where another object's column stands on it, if the object was not seen otherwise.
+/// Sight lines that meet the seam leave the column by one of its sides.
 template <Arithmetic A>
-auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& whole) -> Find
+void Search<A>::settle(Seam const& seam)
 {
-  Edge const& target = whole.edge();
-  for (auto const& source : sources(leaf, target)) {
-    PortalSequence sequence;
-    sequence.source = source;
-    sequence.target = target;
-    // A pivot has all vertices on one side or on it.
-    for (auto const& v : lines.vertices()) {
-      auto const sides = lines.template sides_of<A>(v.pivot);
-      bool const left = std::ranges::any_of(sides, [](Sign s) { return is_positive(s); });
-      sequence.points.push_back({v.pivot, left ? PortalSequence::Side::left : PortalSequence::Side::right});
+  auto const& column = field_.columns()[seam.column];
+  Box const box = bounds(field_, seam);
+  if (is_visible_[column.object] || tree_.hides(box)) return;
+  auto const parts = exposed_parts(field_, seam);
+  auto const corners = field_.corners(column);
+  for (auto const& part : parts)
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      Edge const side{corners[i + 1 < corners.size() ? i + 1 : 0], corners[i]};
+      tree_.visit_leaves(gate(side), box, [&](Index leaf, Funnel const& lines) {
+        if (is_visible_[column.object] || !is_ahead(leaf, side)) return false;
+        ++counts_.decisions;
+        Find const find = decide(leaf, lines, part);
+        if (find == Find::visible) ++counts_.decided_visible, is_visible_[column.object] = true;
+        return find == Find::blocked;
+      });
     }
-    sequence.points.push_back({horizontal(source.left), PortalSequence::Side::left});
-    sequence.points.push_back({horizontal(source.right), PortalSequence::Side::right});
-    std::vector<Ambiguous> ambiguous;
-    for (auto const& f : tree_.leaf(leaf).blockers) {
-      if (f.edge == target) continue;
-      auto const order = plan_order<A>(gate(target), gate(f.edge));
-      if (order == PlanOrder::after || order == PlanOrder::collinear) continue;
-      Ambiguous a{f.edge, {}};
-      if (order == PlanOrder::crossing) a.conditions.push_back({target, true});
-      if (!f.everywhere) a.conditions.push_back({cell_.entry(tree_.leaf(leaf).entry), false});
-      if (a.conditions.empty())
-        sequence.occluders.push_back(f.edge);
-      else
-        ambiguous.push_back(a);
+}
+
+/// The questions that the exposed parts of a target put in a leaf, one for each source, until one is answered.
+template <Arithmetic A>
+auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& target) -> Find
+{
+  for (auto const& source : sources(leaf, target.edge())) {
+    PortalQuestion<A> question(lines, source, target.edge());
+    auto const answer = [&](Point3q const& start, Point3q const& end) {
+      return confirm(leaf, start, end, [&](auto const& p, auto const& q) {
+        return shot_.first_blocker(p, q, target.crossed());
+      });
+    };
+    for (auto const& part : target.parts()) {
+      if (auto const find = ask(question.within(target.point(part.low), target.point(part.high)), leaf, answer);
+          find != Find::nothing)
+        return find;
     }
-    if (whole.is_fully_exposed()) {
-      auto const find = decide(leaf, source, whole.crossed(), sequence, ambiguous, 0, 0);
-      if (find != Find::nothing) return find;
-    }
-    for (auto const& part : whole.parts()) {
-      sequence.constructed_points.push_back({whole.point(part.low), PortalSequence::Side::left});
-      sequence.constructed_points.push_back({whole.point(part.high), PortalSequence::Side::right});
-      auto const find = decide(leaf, source, whole.crossed(), sequence, ambiguous, 0, 0);
-      if (find != Find::nothing) return find;
-      sequence.constructed_points.resize(sequence.constructed_points.size() - 2);
-    }
+    if (target.is_fully_exposed())
+      if (auto const find = ask(question, leaf, answer); find != Find::nothing) return find;
   }
   return Find::nothing;
 }
 
-namespace detail {
-
-/// Where the lines of two edges cross in plan. Requires: they are not parallel.
-inline Point2q plan_crossing(PortalSequence::Edge const& e, PortalSequence::Edge const& f)
+/// The same for a part of a seam, which has constructed ends.
+template <Arithmetic A>
+auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part) -> Find
 {
-  auto const side = [&](Point3d const& x) {
-    return RationalNumber(visibility::detail::Orient2dFormula{}(RationalNumber(e.left.x), RationalNumber(e.left.y),
-                                                                RationalNumber(e.right.x), RationalNumber(e.right.y),
-                                                                RationalNumber(x.x), RationalNumber(x.y)));
-  };
-  RationalNumber const l = side(f.left), r = side(f.right), t = l / (l - r);
-  return {RationalNumber(f.left.x) + t * (RationalNumber(f.right.x) - RationalNumber(f.left.x)),
-          RationalNumber(f.left.y) + t * (RationalNumber(f.right.y) - RationalNumber(f.left.y))};
+  PortalSequence::ConstructedEdge const target{part.left, part.right};
+  for (auto const& source : all_sources(leaf)) {
+    PortalQuestion<A> question(lines, source, target);
+    auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
+      return confirm(leaf, start, end,
+                     [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); });
+    });
+    if (find != Find::nothing) return find;
+  }
+  return Find::nothing;
 }
 
-}  // namespace detail
-
-/// An edge that crosses the target, or the side of the cell by which lines enter, lies between the two for the lines on
-/// one side of the crossing point only: the two cases are decided one by one.
 template <Arithmetic A>
-auto Search<A>::decide(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence& sequence,
-                       std::vector<Ambiguous> const& ambiguous, std::size_t next, std::size_t condition) -> Find
+template <class Answer>
+auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Answer const& answer) -> Find
 {
-  using Side = PortalSequence::Side;
-  if (next < ambiguous.size()) {
-    auto const& [edge, conditions] = ambiguous[next];
-    auto const& [other, nearer] = conditions[condition];
-    Point2q const point = detail::plan_crossing(other, edge);
-    // Lines with the point on their left cross both edges to the right of it.
-    Sign const right_end = orient2d<A>(horizontal(other.left), horizontal(other.right), horizontal(edge.right));
-    for (Side const side : {Side::left, Side::right}) {
-      bool const is_nearer = side == Side::left ? is_negative(right_end) : is_positive(right_end);
-      sequence.constructed_points.push_back({point, side});
-      Find find = Find::nothing;
-      if (is_nearer != nearer)
-        find = decide(leaf, source, crossed, sequence, ambiguous, next + 1, 0);
-      else if (condition + 1 < conditions.size())
-        find = decide(leaf, source, crossed, sequence, ambiguous, next, condition + 1);
-      else {
-        sequence.occluders.push_back(edge);
-        find = decide(leaf, source, crossed, sequence, ambiguous, next + 1, 0);
-        sequence.occluders.pop_back();
-      }
-      sequence.constructed_points.pop_back();
-      if (find != Find::nothing) return find;
-    }
-    return Find::nothing;
-  }
-  auto const answer = [&](auto const& decision) {
-    auto const line = decision.find();
-    return line ? confirm(leaf, source, crossed, sequence, line->source, line->target) : Find::nothing;
-  };
-  if constexpr (!A::is_exact)
-    return answer(PortalDecision<double>(sequence));
-  else if (std::same_as<A, Rational> || !sequence.constructed_points.empty())
-    return answer(PortalDecision<RationalNumber>(sequence));
-  else
-    return answer(PortalDecision<ExactNumber>(sequence));
+  auto const& l = tree_.leaf(leaf);
+  for (auto const& f : l.blockers)
+    question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
+  Find find = Find::nothing;
+  question.any_line([&](Point3q const& start, Point3q const& end) {
+    find = answer(start, end);
+    return find != Find::nothing;
+  });
+  return find;
 }
 
 /// Holds a sight line from edge to edge against the whole scene: as its conditions are open, it may start a little
 /// inside the cell and end a little below the target's top.
 template <Arithmetic A>
-auto Search<A>::confirm(Index leaf, Edge const& source, CrossedEdge const& crossed, PortalSequence const& sequence,
-                        RationalNumber const& s, RationalNumber const& t) -> Find
+template <class Shoot>
+auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot) -> Find
 {
   if constexpr (!A::is_exact) return Find::visible;
   auto const between = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
     return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
   };
-  Point3q const start = between(exact(source.left), exact(source.right), s);
-  Point3q const end = between(exact(sequence.target.left), exact(sequence.target.right), t);
   RationalNumber step(0x1p-8);
-  for (int i = 0; i < 60; ++i, step = step * step) {
+  for (int i = 0; i < 12; ++i, step = step * step) {
     Point3q const p = between(start, exact(inside_), step);
     Point3q low = end;
     low.z = end.z - step;
     Point3q const q = between(p, low, RationalNumber(1) + step);
     ++counts_.shots;
-    auto const blocker = first_blocker(p, q, crossed);
+    auto const blocker = shoot(p, q);
     if (!blocker) return Find::visible;
     Edge const edge = portal(field_, *blocker);
     if (holds(leaf, edge)) continue;
@@ -580,7 +516,7 @@ auto Search<A>::confirm(Index leaf, Edge const& source, CrossedEdge const& cross
     insert(*blocker);
     if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
   }
-  throw std::logic_error("a sight line found is stopped by an edge that it was to pass");
+  throw std::logic_error("a sight line is stopped by an edge that it was found to pass");
 }
 
 }  // namespace visibility::exact_25d

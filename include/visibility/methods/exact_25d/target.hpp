@@ -1,7 +1,7 @@
 #pragma once
 
 #include "visibility/line_space/penumbra_wedge.hpp"
-#include "visibility/methods/exact_25d/sight_line_shot.hpp"
+#include "visibility/methods/exact_25d/crossed_edge.hpp"
 #include "visibility/scene/exposed_parts.hpp"
 
 #include <algorithm>

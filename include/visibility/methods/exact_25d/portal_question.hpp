@@ -1,0 +1,162 @@
+#pragma once
+
+#include "visibility/line_space/cell_outline.hpp"
+#include "visibility/line_space/plan_order.hpp"
+#include "visibility/line_space/portal_decision.hpp"
+
+#include <boost/container/small_vector.hpp>
+
+#include <concepts>
+#include <optional>
+#include <vector>
+
+namespace visibility::exact_25d {
+
+/// Whether some line of a funnel, from a source to a target, passes above all of some edges that it crosses in between.
+/// An edge that crosses the target in plan, or the side by which lines enter the cell, lies between the two only for the
+/// lines on one side of the crossing point: such cases are told apart first, then each is a portal sequence.
+template <Arithmetic A>
+class PortalQuestion {
+public:
+  using Edge = PortalSequence::Edge;
+
+  PortalQuestion(Funnel const& lines, Edge const& source, Edge const& target)
+    : PortalQuestion(lines, source, exact_gate(target))
+  {
+    sequence_.target = target;
+  }
+  PortalQuestion(Funnel const& lines, Edge const& source, PortalSequence::ConstructedEdge const& target)
+    : PortalQuestion(lines, source, Gate<RationalNumber>{horizontal(target.left), horizontal(target.right)})
+  {
+    sequence_.constructed_target = target;
+  }
+
+  /// The same with lines that have one point on their left and another on their right.
+  PortalQuestion within(Point2q const& left, Point2q const& right) const
+  {
+    PortalQuestion out = *this;
+    out.sequence_.constructed_points.push_back({left, PortalSequence::Side::left});
+    out.sequence_.constructed_points.push_back({right, PortalSequence::Side::right});
+    return out;
+  }
+
+  /// An edge that all lines cross beyond `entry`, if given only where they cross it after that.
+  void add(Edge const& edge, std::optional<Edge> const& entry)
+  {
+    PlanOrder const order = order_at_target(edge);
+    if (order == PlanOrder::after || order == PlanOrder::collinear) return;
+    Ambiguous a{edge, {}};
+    if (order == PlanOrder::crossing) a.conditions.push_back({target_, true});
+    if (entry) a.conditions.push_back({exact_gate(*entry), false});
+    if (a.conditions.empty())
+      sequence_.occluders.push_back(edge);
+    else
+      ambiguous_.push_back(std::move(a));
+  }
+
+  /// Calls accept(start, end) with the ends of such lines on source and target, one for each case that has one, until it
+  /// returns true.
+  template <class Accept>
+  void any_line(Accept const& accept)
+  {
+    decide(0, 0, accept);
+  }
+
+private:
+  using Side = PortalSequence::Side;
+
+  /// An edge that counts for the lines that meet all conditions.
+  struct Ambiguous {
+    Edge edge;
+    struct Condition {
+      Gate<RationalNumber> other;
+      bool before;  ///< the edge must be crossed before the other, or else after it
+    };
+    boost::container::small_vector<Condition, 2> conditions;
+  };
+
+  PortalQuestion(Funnel const& lines, Edge const& source, Gate<RationalNumber> target) : target_(std::move(target))
+  {
+    sequence_.source = source;
+    for (auto const& v : lines.vertices()) {
+      // A pivot has all vertices on one side or on it.
+      auto const sides = lines.template sides_of<A>(v.pivot);
+      bool const left = std::ranges::find(sides, Sign::positive) != sides.end();
+      sequence_.points.push_back({v.pivot, left ? Side::left : Side::right});
+    }
+    sequence_.points.push_back({horizontal(source.left), Side::left});
+    sequence_.points.push_back({horizontal(source.right), Side::right});
+  }
+
+  PlanOrder order_at_target(Edge const& edge) const
+  {
+    return sequence_.constructed_target ? plan_order<Rational>(target_, exact_gate(edge))
+                                        : plan_order<A>(gate(sequence_.target), gate(edge));
+  }
+
+  template <class Accept>
+  bool decide(std::size_t next, std::size_t condition, Accept const& accept);
+  template <class NT, class Accept>
+  bool answer(Accept const& accept) const;
+
+  static RationalNumber side(Gate<RationalNumber> const& e, Point2q const& x)
+  {
+    return visibility::detail::Orient2dFormula{}(e.left.x, e.left.y, e.right.x, e.right.y, x.x, x.y);
+  }
+
+  PortalSequence sequence_;
+  Gate<RationalNumber> target_;
+  std::vector<Ambiguous> ambiguous_;
+};
+
+/// Decides the cases from the ambiguous edge `next` and its condition on; returns whether a line was accepted.
+template <Arithmetic A>
+template <class Accept>
+bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept const& accept)
+{
+  if (next == ambiguous_.size()) {
+    if constexpr (!A::is_exact) return answer<double>(accept);
+    bool const is_constructed = sequence_.constructed_target || !sequence_.constructed_points.empty();
+    return std::same_as<A, Rational> || is_constructed ? answer<RationalNumber>(accept) : answer<ExactNumber>(accept);
+  }
+  auto const& [edge, conditions] = ambiguous_[next];
+  auto const& [other, before] = conditions[condition];
+  Gate<RationalNumber> const g = exact_gate(edge);
+  RationalNumber const at_left = side(other, g.left), at_right = side(other, g.right), t = at_left / (at_left - at_right);
+  Point2q const crossing{g.left.x + t * (g.right.x - g.left.x), g.left.y + t * (g.right.y - g.left.y)};
+  for (Side const s : {Side::left, Side::right}) {
+    // Lines with the crossing on their left cross both edges to the right of it.
+    bool const is_before = s == Side::left ? at_right < 0 : at_right > 0;
+    sequence_.constructed_points.push_back({crossing, s});
+    bool accepted = false;
+    if (is_before != before)
+      accepted = decide(next + 1, 0, accept);
+    else if (condition + 1 < conditions.size())
+      accepted = decide(next, condition + 1, accept);
+    else {
+      sequence_.occluders.push_back(edge);
+      accepted = decide(next + 1, 0, accept);
+      sequence_.occluders.pop_back();
+    }
+    sequence_.constructed_points.pop_back();
+    if (accepted) return true;
+  }
+  return false;
+}
+
+template <Arithmetic A>
+template <class NT, class Accept>
+bool PortalQuestion<A>::answer(Accept const& accept) const
+{
+  auto const line = PortalDecision<NT>(sequence_).find();
+  if (!line) return false;
+  auto const at = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
+    return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
+  };
+  auto const& target = sequence_.constructed_target;
+  return accept(at(exact(sequence_.source.left), exact(sequence_.source.right), line->source),
+                target ? at(target->left, target->right, line->target)
+                       : at(exact(sequence_.target.left), exact(sequence_.target.right), line->target));
+}
+
+}  // namespace visibility::exact_25d

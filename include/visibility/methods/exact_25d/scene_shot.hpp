@@ -1,0 +1,143 @@
+#pragma once
+
+#include "visibility/line_space/plan_order.hpp"
+#include "visibility/methods/exact_25d/crossed_edge.hpp"
+#include "visibility/predicates/orient3d.hpp"
+#include "visibility/scene/view_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <optional>
+#include <span>
+#include <type_traits>
+
+namespace visibility::exact_25d {
+
+/// Holds sight lines against all top edges of a scene. Exact, with doubles or rationals as ends of the line.
+template <Arithmetic A>
+class SceneShot {
+public:
+  /// Keeps references. `ignored`: ascending edges that stop nothing.
+  SceneShot(HeightField const& field, ViewCell const& cell, std::span<std::uint32_t const> ignored)
+    : field_(field), cell_(cell), ignored_(ignored)
+  {
+  }
+
+  /// An edge that stops the sight line from p towards q before it crosses the target, or touches it where it passes over
+  /// an end of the edge; of several, one that rises high as seen from p. Collinear edges do not stop it.
+  /// Requires: p -> q crosses the target in plan.
+  template <class NT>
+  std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target) const
+  {
+    auto const aim = portal(field_, target);
+    return highest(p, q, [&](std::uint32_t edge, PortalSequence::Edge const& f) {
+      if (edge == target.edge) return false;
+      switch (plan_order<A>(gate(aim), gate(f))) {
+      case PlanOrder::before: return true;
+      case PlanOrder::after:
+      case PlanOrder::collinear: break;
+      case PlanOrder::crossing: return position(p, q, f) < position(p, q, aim);
+      }
+      return false;
+    });
+  }
+
+  /// The same with a point of the line in plan as target.
+  std::optional<CrossedEdge> first_blocker_before(Point3q const& p, Point3q const& q, Point3q const& end) const
+  {
+    bool const along_x = p.x != q.x;
+    RationalNumber const last =
+      along_x ? RationalNumber((end.x - p.x) / (q.x - p.x)) : RationalNumber((end.y - p.y) / (q.y - p.y));
+    return highest(p, q, [&](std::uint32_t, PortalSequence::Edge const& f) { return position(p, q, f) < last; });
+  }
+
+private:
+  using Edge = PortalSequence::Edge;
+
+  template <class NT>
+  static Point3<NT> as(Point3d const& p)
+  {
+    return {NT(p.x), NT(p.y), NT(p.z)};
+  }
+
+  /// The parameter along p -> q at which it crosses the line of an edge in plan.
+  template <class NT>
+  static RationalNumber position(Point3<NT> const& p, Point3<NT> const& q, Edge const& e)
+  {
+    using R = RationalNumber;
+    auto const side = [&](Point3<NT> const& x) {
+      return R(visibility::detail::Orient2dFormula{}(R(e.left.x), R(e.left.y), R(e.right.x), R(e.right.y), R(x.x),
+                                                     R(x.y)));
+    };
+    R const at_p = side(p);
+    return R(at_p / (at_p - side(q)));
+  }
+
+  template <class NT, class IsBefore>
+  std::optional<CrossedEdge> highest(Point3<NT> const& p, Point3<NT> const& q, IsBefore const& is_before) const;
+  template <class Exactness, class NT, class IsBefore>
+  std::optional<CrossedEdge> stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q,
+                                   IsBefore const& is_before) const;
+
+  HeightField const& field_;
+  ViewCell const& cell_;
+  std::span<std::uint32_t const> ignored_;
+};
+
+template <Arithmetic A>
+template <class Exactness, class NT, class IsBefore>
+std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q,
+                                               IsBefore const& is_before) const
+{
+  auto const& top = field_.edges()[edge];
+  auto const a = as<NT>(top.a), b = as<NT>(top.b);
+  Sign const side_a = orient2d<Exactness>(horizontal(p), horizontal(q), horizontal(a));
+  Sign const side_b = orient2d<Exactness>(horizontal(p), horizontal(q), horizontal(b));
+  if (side_a == side_b) return {};  // passed on one side, or along the edge
+  bool const from_left = is_positive(side_b) || is_negative(side_a);
+  auto const &left = from_left ? b : a, &right = from_left ? a : b;
+  // Ahead of the eye: the eye lies behind the edge.
+  if (!is_negative(orient2d<Exactness>(horizontal(left), horizontal(right), horizontal(p)))) return {};
+  if (!is_before(edge, portal(top, from_left))) return {};
+  if (is_positive(orient3d<Exactness>(p, q, right, left))) return {};
+  return CrossedEdge{edge, from_left};
+}
+
+template <Arithmetic A>
+template <class NT, class IsBefore>
+std::optional<CrossedEdge> SceneShot<A>::highest(Point3<NT> const& p, Point3<NT> const& q,
+                                                 IsBefore const& is_before) const
+{
+  using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
+  auto const rounded = [](Point3<NT> const& x) {
+    return Point3d{CGAL::to_double(x.x), CGAL::to_double(x.y), CGAL::to_double(x.z)};
+  };
+  Point3d const from = rounded(p), to = rounded(q);
+  SegmentProbe const probe(from, to);
+  auto const size = [](Point3d const& x) { return std::fabs(x.x) + std::fabs(x.y) + std::fabs(x.z); };
+  double const room = std::same_as<NT, double> ? 0 : 0x1p-50 * (size(from) + size(to));  // for the rounding above
+  auto const may_meet = [&](Box b) {
+    b.min = {b.min.x - room, b.min.y - room, b.min.z};
+    b.max = {b.max.x + room, b.max.y + room, b.max.z + room};
+    return !probe.certainly_misses(b);
+  };
+  std::optional<CrossedEdge> best;
+  double steepest = 0;
+  field_.edge_hierarchy().front_to_back(
+    cell_.bounds(), [&](std::uint32_t, Box const& b) { return may_meet(b); },
+    [&](std::uint32_t i) {
+      if (std::ranges::binary_search(ignored_, i)) return;
+      auto const blocker = stops<Exactness>(i, p, q, is_before);
+      if (!blocker) return;
+      auto const& e = field_.edges()[i];
+      double const x = (e.a.x + e.b.x) / 2 - from.x, y = (e.a.y + e.b.y) / 2 - from.y;
+      double const slope = (std::max(e.a.z, e.b.z) - from.z) / std::hypot(x, y);
+      if (best && slope <= steepest) return;
+      steepest = slope;
+      best = blocker;
+    });
+  return best;
+}
+
+}  // namespace visibility::exact_25d
