@@ -59,6 +59,8 @@ void print_report(Scene const& scene, CheckReport const& report, std::size_t mos
 void run(Arguments const& a, int& exit_code)
 {
   auto const results = read_results(a.results);
+  if (!a.scene.grounded && std::ranges::any_of(results, &Result::grounded))
+    throw BadInput(a.results + ": the set is of the grounded scene: add --grounded");
   Scene const scene = a.scene.load();
   PreparedScene const prepared(scene);
   RayScene const rays(prepared);

@@ -67,6 +67,8 @@ void add_compare(CLI::App& app, int& exit_code)
     for (std::size_t i = 0; i < a.size(); ++i) {
       if (!a[i].cell.empty() && !b[i].cell.empty() && a[i].cell != b[i].cell)
         throw BadInput("result " + std::to_string(i + 1) + ": the two files are about different cells");
+      if (a[i].grounded != b[i].grounded)
+        std::cout << "note: only " << (a[i].grounded ? "A" : "B") << " is of the grounded scene\n";
       if (print_comparison(a[i], b[i], arguments->all ? SIZE_MAX : 10)) exit_code = 1;
     }
   });

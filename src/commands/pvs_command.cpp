@@ -45,6 +45,7 @@ Result make_result(Arguments const& a, Scene const& scene, ViewCell const& cell,
 {
   Result r;
   r.source = scene.source;
+  r.grounded = a.scene.grounded;
   r.objects = scene.objects.size();
   r.primitives = scene.primitive_count();
   r.cell.assign(cell.vertices().begin(), cell.vertices().end());
@@ -64,8 +65,8 @@ Result make_result(Arguments const& a, Scene const& scene, ViewCell const& cell,
 void print_summary(std::vector<Result> const& results, std::string const& file)
 {
   Result const& first = results.front();
-  std::cout << "scene   " << first.source << ": " << first.objects << " objects, " << first.primitives
-            << " primitives\n"
+  std::cout << "scene   " << first.source << (first.grounded ? ", grounded: " : ": ") << first.objects << " objects, "
+            << first.primitives << " primitives\n"
             << "method  " << first.method << ", " << first.arithmetic << " arithmetic: " << to_string(first.guarantee)
             << '\n';
   auto const percent_hidden = [&](double visible) {

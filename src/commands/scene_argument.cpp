@@ -1,6 +1,7 @@
 #include "scene_argument.hpp"
 
 #include "visibility/scene/generators.hpp"
+#include "visibility/scene/grounded.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -23,15 +24,17 @@ void SceneArgument::add_to(CLI::App& command)
   command
     .add_option("--coordinates", options.coordinates, "GeoJSON: automatic, metres or degrees (longitude, latitude)")
     ->transform(CLI::CheckedTransformer(units, CLI::ignore_case));
+  command.add_flag("--grounded", grounded,
+                   "everything below an upper surface is solid down to the lowest point of the scene");
 }
 
 Scene SceneArgument::load() const
 {
   constexpr std::string_view prefix = "gen:";
-  if (!scene.starts_with(prefix)) return read_scene(scene, options);
-  Scene made = generate(std::string_view(scene).substr(prefix.size()));
-  made.source = scene;
-  return made;
+  Scene loaded =
+    scene.starts_with(prefix) ? generate(std::string_view(scene).substr(prefix.size())) : read_scene(scene, options);
+  if (scene.starts_with(prefix)) loaded.source = scene;
+  return grounded ? visibility::grounded(loaded) : loaded;
 }
 
 }  // namespace visibility::commands

@@ -11,10 +11,11 @@ class App;
 namespace visibility::commands {
 
 /// The SCENE argument that most commands share: a file, or a generator written `gen:KIND,key=value,...`, with the
-/// options that say how a file is to be read.
+/// options that say how it is to be read.
 struct SceneArgument {
   std::string scene;
   ReadOptions options;
+  bool grounded = false;
 
   void add_to(CLI::App& command);
   Scene load() const;  ///< throws BadInput

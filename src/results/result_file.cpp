@@ -53,6 +53,7 @@ Json result_json(Result const& r)
            {"visible", r.visible},
            {"statistics", statistics},
            {"seconds", {{"read", r.seconds.read}, {"build", r.seconds.build}, {"query", r.seconds.query}}}};
+  if (r.grounded) out["scene"]["grounded"] = true;
   if (r.witnesses.empty()) return out;
   Json witnesses = Json::array();
   for (auto const& w : r.witnesses)
@@ -115,6 +116,7 @@ Result result_from_json(Json const& value, std::string const& where)
   if (value.contains("scene") && value["scene"].is_object()) {
     Json const& scene = value["scene"];
     r.source = text_or(scene, "source", "");
+    r.grounded = scene.contains("grounded") && scene["grounded"] == true;
     r.objects = count_or_zero(scene, "objects");
     r.primitives = count_or_zero(scene, "primitives");
   }

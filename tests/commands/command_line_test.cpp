@@ -240,6 +240,34 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
   }
 }
 
+TEST_CASE("command line: --grounded is recorded, and check asks for it", "[commands]")
+{
+  Folder const folder;
+  // A shelf in the air hides what stands behind its foot only if it is solid down to the ground.
+  auto const scene =
+    folder.write("shelf.obj", "v 10 -50 1\nv 11 -50 1\nv 11 50 1\nv 10 50 1\no shelf\nf 1 2 3\nf 1 3 4\n"
+                              "v 20 -1 0\nv 20 1 0\nv 20 0 0.5\no post\nf 5 6 7\n");
+  auto const pvs = folder / "pvs.json";
+  std::string const common = "pvs " + scene + " --cell=0,-1,0,1,1,0.9 ";
+  auto const open = visibility_command(folder, common), closed = visibility_command(folder, common + "--grounded");
+  REQUIRE((open.exit_code == 0 && closed.exit_code == 0));
+  auto const above = results_from_json(open.out, "a").front(), solid = results_from_json(closed.out, "b").front();
+  REQUIRE(above.visible == std::vector<std::string>{"post", "shelf"});
+  REQUIRE(solid.visible == std::vector<std::string>{"shelf"});
+  REQUIRE_FALSE(above.grounded);
+  REQUIRE(solid.grounded);
+  REQUIRE(solid.source == above.source);
+
+  REQUIRE(visibility_command(folder, common + "--grounded -o " + pvs).out.find("grounded") != std::string::npos);
+  auto const refused = visibility_command(folder, "check " + scene + " " + pvs + " --rays 10000");
+  REQUIRE(refused.exit_code == 2);
+  REQUIRE(refused.err.find("--grounded") != std::string::npos);
+  REQUIRE(visibility_command(folder, "check " + scene + " " + pvs + " --grounded --rays 10000").exit_code == 0);
+  auto const info = visibility_command(folder, "info " + scene + " --grounded");
+  REQUIRE(info.exit_code == 0);
+  REQUIRE(info.out.find("solid down to height 0") != std::string::npos);
+}
+
 TEST_CASE("command line: help and version succeed", "[commands]")
 {
   Folder const folder;

@@ -13,6 +13,7 @@ Result example()
 {
   Result r;
   r.source = "gen:city";
+  r.grounded = true;
   r.objects = 3;
   r.primitives = 4;
   r.cell_box = Box{{0.1, 0, 0}, {1, 1e-300, 3}};
@@ -50,6 +51,7 @@ TEST_CASE("result file: what is written is read back, exactly", "[results]")
   auto const& r = back.front();
   Result const e = example();
   REQUIRE(r.source == e.source);
+  REQUIRE(r.grounded);
   REQUIRE(r.objects == e.objects);
   REQUIRE(r.primitives == e.primitives);
   REQUIRE(r.options == e.options);

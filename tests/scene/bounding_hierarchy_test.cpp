@@ -48,7 +48,10 @@ TEST_CASE("bounding hierarchy: finds every box along a segment and every box tha
     query.extend(q);
     std::vector<bool> touched(all.size(), false);
     hierarchy.any_meeting(query, [&](auto i) { return touched[i] = true, false; });
+    std::vector<bool> exactly(all.size(), false);
+    hierarchy.any_item_meeting(query, [&](auto i) { return exactly[i] = true, false; });
     for (std::size_t i = 0; i < all.size(); ++i) {
+      REQUIRE(exactly[i] == meet(all[i], query));
       if (segment_meets<Rational>(all[i], exact(p), exact(q))) REQUIRE((++met, found[i]));
       if (meet(all[i], query)) REQUIRE(touched[i]);
     }

@@ -40,7 +40,8 @@ public:
   std::span<Column const> columns() const { return columns_; }  ///< in object order; every curtain has an edge
   std::span<Point3d const> corners(Column const& c) const { return {corners_.data() + c.first, c.count}; }
   /// In object order. Left out are sides below a higher one of the same object, and those that two columns of an object
-  /// share where the top is flat or a valley: a sight line above all other edges is above these.
+  /// share where the top is flat or a valley: a sight line above all other edges is above these
+  /// (proofs/height_field_edges.md, lemma 1).
   std::span<TopEdge const> edges() const { return edges_; }
   std::uint32_t object_of(TopEdge const& e) const { return columns_[e.column].object; }
 

@@ -25,6 +25,7 @@ struct Result {
     double read = 0, build = 0, query = 0;
   };
   std::string source;                       ///< the scene as the user named it
+  bool grounded = false;                    ///< the set is that of grounded(scene)
   std::size_t objects = 0, primitives = 0;  ///< of the scene
   std::vector<Point3d> cell;                ///< vertices; of a box its eight corners
   std::optional<Box> cell_box;              ///< set iff the cell was given as a box
