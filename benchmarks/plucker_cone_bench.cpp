@@ -66,7 +66,7 @@ void add_rows(std::string const& type, std::string const& where, std::vector<Por
   int wrong = 0;
   double rays = 0;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    wrong += has_strict_stabbing_line(view(lines[i])) != has_sight_line<RationalNumber>(list[i]);
+    wrong += has_strict_stabbing_line(view(lines[i]), SearchDepth::edges) != has_sight_line<RationalNumber>(list[i]);
     rays += static_cast<double>(PluckerCone<NT>(view(lines[i])).rays().size()) / count;
   }
   if (!std::is_same_v<NT, double> && wrong > 0) {
@@ -81,7 +81,7 @@ void add_rows(std::string const& type, std::string const& where, std::vector<Por
   });
   benchmark::RegisterBenchmark(("decide/" + where + "/" + type).c_str(), [=](benchmark::State& state) {
     for (auto _ : state)
-      for (auto const& h : lines) benchmark::DoNotOptimize(has_strict_stabbing_line(view(h)));
+      for (auto const& h : lines) benchmark::DoNotOptimize(has_strict_stabbing_line(view(h), SearchDepth::edges));
     set_per_sequence(state);
     state.counters["wrong"] = wrong;
   });

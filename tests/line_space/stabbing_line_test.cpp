@@ -159,5 +159,6 @@ TEST_CASE("QuadricSearch: a regulus inside of a 2-face, where pairs of rays see 
       faces += found->stage == QuadricSearch<ExactNumber>::Stage::faces;
     }
   CHECK(faces == 1);
+  CHECK(!has_strict_stabbing_line(std::span<Line const>(h), SearchDepth::edges));
   CHECK(found_and_strict(list));
 }
