@@ -53,7 +53,7 @@ template <class NT>
 PluckerLine<NT> real_line_along(PluckerLine<NT> const& p, PluckerLine<NT> const& h)
 {
   NT const b = plucker_product(p, h);
-  return primitive(combination<NT>(b + b, p, NT(0) - plucker_form(p), h));
+  return combination<NT>(b + b, p, NT(0) - plucker_form(p), h);
 }
 
 /// A positive combination of l and the interior vector on which q still has the sign of q(l).
@@ -115,7 +115,7 @@ std::optional<PluckerLine<NT>> strict_stabbing_line(std::span<PluckerLine<NT> co
     auto const middle = combination<NT>(NT(1), ends[0], NT(1), ends[1]);
     Sign const s = number_sign(plucker_form(middle));
     auto const line = is_zero(s) ? middle : detail::real_line_along(middle, h.front());
-    if (detail::strictly_inside(line, h)) return detail::away_from_infinity(line, h);
+    if (detail::strictly_inside(line, h)) return primitive(detail::away_from_infinity(line, h));
     // The other end is doubled, so that the next sum is again the middle of the segment.
     std::size_t const replaced = is_positive(s) ? 0 : 1;
     auto& other = ends[1 - replaced];
