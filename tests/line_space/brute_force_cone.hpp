@@ -4,7 +4,9 @@
 
 #include "visibility/line_space/plucker_cone.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <set>
 #include <vector>
 
