@@ -4,11 +4,14 @@
 
 #include "visibility/line_space/plucker_cone.hpp"
 
+#include <algorithm>
 #include <array>
+#include <bit>
 #include <set>
 #include <vector>
 
-/// Extreme rays of a cone in R^6 by trying all subsets of its half-spaces, in rationals; shares no code with PluckerCone.
+/// Extreme rays of a cone in R^6 by trying all subsets of its half-spaces, in rationals; shares no code with
+/// PluckerCone.
 namespace visibility::test {
 
 using SmallVector = std::array<int, 6>;  ///< of a half-space {l : b(l, h) >= 0}: direction, moment
@@ -122,7 +125,11 @@ inline std::vector<SmallVector> small_half_spaces(Random& random)
     if (style == 2) {
       std::array<int, 3> p{}, q{};
       for (std::size_t i = 0; i < 3; ++i) p[i] = random.between(-reach, reach), q[i] = random.between(-reach, reach);
-      h = {q[0] - p[0], q[1] - p[1], q[2] - p[2], p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2],
+      h = {q[0] - p[0],
+           q[1] - p[1],
+           q[2] - p[2],
+           p[1] * q[2] - p[2] * q[1],
+           p[2] * q[0] - p[0] * q[2],
            p[0] * q[1] - p[1] * q[0]};
     } else {
       for (int i = 0; i < dimensions; ++i) h[static_cast<std::size_t>(i)] = random.between(-reach, reach);

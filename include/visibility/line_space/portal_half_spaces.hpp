@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -89,7 +91,7 @@ template <class NT = ExactNumber>
 bool has_sight_line(PortalSequence const& sequence)
 {
   auto const lines = portal_half_spaces<NT>(sequence, integer_frame(sequence));
-  return has_strict_stabbing_line(std::span<PluckerLine<NT> const>(lines));
+  return has_strict_stabbing_line(std::span<PluckerLine<NT> const>(lines), SearchDepth::edges);
 }
 
 /// A sight line of the sequence as two points of it, in its direction, if there is one: strictly below source and
@@ -99,7 +101,7 @@ std::optional<std::array<Point3q, 2>> find_sight_line(PortalSequence const& sequ
 {
   PortalFrame const frame = integer_frame(sequence);
   auto const lines = portal_half_spaces<NT>(sequence, frame);
-  auto const line = strict_stabbing_line(std::span<PluckerLine<NT> const>(lines));
+  auto const line = strict_stabbing_line(std::span<PluckerLine<NT> const>(lines), SearchDepth::edges);
   if (!line) return {};
   auto const [p, q] = two_points(rational(*line));
   auto const outside = [&](Point3q const& r) {

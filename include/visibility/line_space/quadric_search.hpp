@@ -8,11 +8,15 @@
 
 namespace visibility {
 
+/// How far a search for a sign of q goes: portal sequences need no more than edges (proofs/plucker_cone.md, Theorem 4),
+/// the half-spaces of other lines may need 2-faces.
+enum class SearchDepth { edges, faces };
+
 /// Looks for vectors of a cone on which q(l) = b(l, l) is positive, and such on which it is negative.
 ///
-/// Complete for cones with interior whose half-spaces are real lines (q(h) = 0): it looks at the lineality space, the
-/// extreme rays, pairs of them, and triples of them in a face whose tight lines are pairwise skew; no other face can
-/// hold the first vector of a sign. Sound for any cone.
+/// With `SearchDepth::faces` complete for cones with interior whose half-spaces are real lines (q(h) = 0): it looks at
+/// the lineality space, the extreme rays, the edges and the 2-faces; no other face can be the first that holds a vector
+/// of a sign. Sound for any cone and depth.
 /// Source: proofs/plucker_cone.md, Theorems 3 and 4; the usual test [Teller92] stops at pairs.
 template <class NT>
 class QuadricSearch {
@@ -27,7 +31,8 @@ public:
   };
 
   /// Requires: the cone has interior and outlives the search.
-  explicit QuadricSearch(PluckerCone<NT> const& cone) : cone_(cone)
+  explicit QuadricSearch(PluckerCone<NT> const& cone, SearchDepth depth = SearchDepth::faces)
+    : cone_(cone), depth_(depth)
   {
     diagonalize_lineality();
     for (auto const& r : cone.rays()) {
@@ -46,8 +51,9 @@ public:
       if (number_sign(form_[i]) == s) return Found{rays_[i], Stage::rays};
     for (std::size_t i = 0; i < rays_.size(); ++i)
       for (std::size_t j = 0; j < i; ++j)
-        if (auto l = on_edge(i, j, s)) return at(Stage::edges, std::move(l));
-    if (!lineality_.empty()) return {};
+        if (cone_.adjacent(i, j))
+          if (auto l = on_edge(i, j, s)) return at(Stage::edges, std::move(l));
+    if (depth_ == SearchDepth::edges || !lineality_.empty()) return {};
     return at(Stage::faces, in_face(s));
   }
 
@@ -133,10 +139,14 @@ private:
     return combination<NT>(magnitude(form_[j]), rays_[i], b, rays_[j]);
   }
 
-  /// Inside of a triangle of rays of one face, when all its edges have failed.
+  /// On a diagonal of a 2-face, or, when none of them tells, inside of a triangle of its rays.
   std::optional<Line> in_face(Sign s) const
   {
     auto const& rays = cone_.rays();
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if ((rays[i].tight & rays[j].tight).size() >= 3 && !cone_.adjacent(i, j))
+          if (auto l = on_edge(i, j, s)) return l;
     for (std::size_t i = 0; i < rays.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         TightSet const common = rays[i].tight & rays[j].tight;
@@ -173,6 +183,7 @@ private:
   }
 
   PluckerCone<NT> const& cone_;
+  SearchDepth depth_;
   std::vector<Diagonal> lineality_;
   bool lineality_is_definite_ = true;
   std::vector<Line> rays_;  ///< of the cone; orthogonal to the lineality space where that is definite

@@ -25,13 +25,14 @@ std::optional<PluckerCone<NT>> cone_with_interior(std::span<PluckerLine<NT> cons
 
 /// Whether some real line l has b(l, h) > 0 for all h. Exact for exact NT; for `double` a guess, for comparison.
 /// Requires: every h is a real line, q(h) = 0, or zero (then the answer is no).
+/// `SearchDepth::edges` is enough for portal sequences and says no too often in general.
 /// Source: [Teller92], [Bittner05, §5.1], completed by proofs/plucker_cone.md, Theorem 3.
 template <class NT>
-bool has_strict_stabbing_line(std::span<PluckerLine<NT> const> half_spaces)
+bool has_strict_stabbing_line(std::span<PluckerLine<NT> const> half_spaces, SearchDepth depth = SearchDepth::faces)
 {
   auto const cone = cone_with_interior(half_spaces);
   if (!cone) return false;
-  QuadricSearch<NT> const search(*cone);
+  QuadricSearch<NT> const search(*cone, depth);
   return search.find(Sign::positive) && search.find(Sign::negative);
 }
 
@@ -52,7 +53,7 @@ template <class NT>
 PluckerLine<NT> real_line_along(PluckerLine<NT> const& p, PluckerLine<NT> const& h)
 {
   NT const b = plucker_product(p, h);
-  return primitive(combination<NT>(b + b, p, NT(0) - plucker_form(p), h));
+  return combination<NT>(b + b, p, NT(0) - plucker_form(p), h);
 }
 
 /// A positive combination of l and the interior vector on which q still has the sign of q(l).
@@ -96,12 +97,13 @@ PluckerLine<NT> away_from_infinity(PluckerLine<NT> const& l, std::span<PluckerLi
 /// the root of q and go from there to the quadric along the first half-space, until the result is strict. Requires:
 /// exact NT; every h is a finite real line or zero.
 template <class NT>
-std::optional<PluckerLine<NT>> strict_stabbing_line(std::span<PluckerLine<NT> const> half_spaces)
+std::optional<PluckerLine<NT>> strict_stabbing_line(std::span<PluckerLine<NT> const> half_spaces,
+                                                    SearchDepth depth = SearchDepth::faces)
 {
   if (half_spaces.empty()) return PluckerLine<NT>{{NT(1), NT(0), NT(0)}, {NT(0), NT(0), NT(0)}};
   auto const cone = cone_with_interior(half_spaces);
   if (!cone) return {};
-  QuadricSearch<NT> const search(*cone);
+  QuadricSearch<NT> const search(*cone, depth);
   auto const positive = search.find(Sign::positive);
   auto const negative = positive ? search.find(Sign::negative) : std::nullopt;
   if (!negative) return {};
@@ -113,7 +115,7 @@ std::optional<PluckerLine<NT>> strict_stabbing_line(std::span<PluckerLine<NT> co
     auto const middle = combination<NT>(NT(1), ends[0], NT(1), ends[1]);
     Sign const s = number_sign(plucker_form(middle));
     auto const line = is_zero(s) ? middle : detail::real_line_along(middle, h.front());
-    if (detail::strictly_inside(line, h)) return detail::away_from_infinity(line, h);
+    if (detail::strictly_inside(line, h)) return primitive(detail::away_from_infinity(line, h));
     // The other end is doubled, so that the next sum is again the middle of the segment.
     std::size_t const replaced = is_positive(s) ? 0 : 1;
     auto& other = ends[1 - replaced];
