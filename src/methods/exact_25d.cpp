@@ -1,6 +1,9 @@
 #include "visibility/methods/exact_25d/method.hpp"
 
 #include "visibility/methods/exact_25d/search.hpp"
+#include "visibility/methods/exact_25d/sight_line.hpp"
+
+#include <algorithm>
 
 namespace visibility {
 
@@ -13,6 +16,10 @@ PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell
   set.guarantee = !A::is_exact ? Guarantee::none : search.contacts().exact ? Guarantee::exact : Guarantee::conservative;
   for (std::uint32_t o = 0; o < search.is_visible().size(); ++o)
     if (search.is_visible()[o]) set.visible.push_back(o);
+  if constexpr (A::is_exact)
+    for (auto const& line : search.lines())
+      if (auto w = exact_25d::witness(field, line)) set.witnesses.push_back(std::move(*w));
+  std::ranges::sort(set.witnesses, {}, &Witness::object);
   auto const& c = search.counts();
   std::size_t blockers = 0;
   for (auto const& leaf : search.tree().leaves()) blockers += leaf.blockers.size();

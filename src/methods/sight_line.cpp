@@ -85,8 +85,8 @@ bool is_free(HeightField const& field, Point3q const& from, Point3q const& to)
   };
   Point3d const p = rounded(from), q = rounded(to);
   SegmentProbe const probe(p, q);
-  double const room = 0x1p-50 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + std::abs(q.x) + std::abs(q.y) +
-                                 std::abs(q.z));
+  double const room =
+    0x1p-50 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z) + std::abs(q.x) + std::abs(q.y) + std::abs(q.z));
   Box along;
   along.extend(p);
   along.extend(q);

@@ -14,6 +14,7 @@ namespace visibility {
 ///   - strictly below the line of the target edge (so it ends in the curtain under it),
 ///   - strictly above the line of every occluder edge, and
 ///   - in plan, with every one of `points` strictly on its side?
+/// Requires for the equivalence with a line that joins the two edges: the occluders lie between source and target.
 /// Weak inequalities at source and target give the same answer: a line that touches them can be lowered a little,
 /// and it stays above the occluders.
 /// Requires: the end points of source, target and occluders lie on their sides of every line that `points` admits,
@@ -47,10 +48,10 @@ struct PortalSequence {
   };
 
   Edge source, target;
-  std::optional<ConstructedEdge> constructed_target;  ///< replaces `target`
-  std::vector<Edge> occluders;
-  std::vector<SidedPoint> points;
-  std::vector<SidedConstructedPoint> constructed_points;
+  std::vector<Edge> occluders{};
+  std::vector<SidedPoint> points{};
+  std::vector<SidedConstructedPoint> constructed_points{};
+  std::optional<ConstructedEdge> constructed_target{};  ///< replaces `target`
 };
 
 /// Makes the end points of all edges of the sequence members of its `points`.

@@ -13,8 +13,8 @@
 namespace visibility::exact_25d {
 
 /// Whether some line of a funnel, from a source to a target, passes above all of some edges that it crosses in between.
-/// An edge that crosses the target in plan, or the side by which lines enter the cell, lies between the two only for the
-/// lines on one side of the crossing point: such cases are told apart first, then each is a portal sequence.
+/// An edge that crosses the target in plan, or the side by which lines enter the cell, lies between the two only for
+/// the lines on one side of the crossing point: such cases are told apart first, then each is a portal sequence.
 template <Arithmetic A>
 class PortalQuestion {
 public:
@@ -54,8 +54,8 @@ public:
       ambiguous_.push_back(std::move(a));
   }
 
-  /// Calls accept(start, end) with the ends of such lines on source and target, one for each case that has one, until it
-  /// returns true.
+  /// Calls accept(start, end) with the ends of such lines on source and target, one for each case that has one, until
+  /// it returns true.
   template <class Accept>
   void any_line(Accept const& accept)
   {
@@ -122,7 +122,8 @@ bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept c
   auto const& [edge, conditions] = ambiguous_[next];
   auto const& [other, before] = conditions[condition];
   Gate<RationalNumber> const g = exact_gate(edge);
-  RationalNumber const at_left = side(other, g.left), at_right = side(other, g.right), t = at_left / (at_left - at_right);
+  RationalNumber const at_left = side(other, g.left), at_right = side(other, g.right),
+                       t = at_left / (at_left - at_right);
   Point2q const crossing{g.left.x + t * (g.right.x - g.left.x), g.left.y + t * (g.right.y - g.left.y)};
   for (Side const s : {Side::left, Side::right}) {
     // Lines with the crossing on their left cross both edges to the right of it.

@@ -24,9 +24,9 @@ public:
   {
   }
 
-  /// An edge that stops the sight line from p towards q before it crosses the target, or touches it where it passes over
-  /// an end of the edge; of several, one that rises high as seen from p. Collinear edges do not stop it.
-  /// Requires: p -> q crosses the target in plan.
+  /// An edge that stops the sight line from p towards q before it crosses the target, or touches it where it passes
+  /// over an end of the edge; of several, one that rises high as seen from p. Collinear edges do not stop it. Requires:
+  /// p -> q crosses the target in plan.
   template <class NT>
   std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target) const
   {
@@ -67,8 +67,8 @@ private:
   {
     using R = RationalNumber;
     auto const side = [&](Point3<NT> const& x) {
-      return R(visibility::detail::Orient2dFormula{}(R(e.left.x), R(e.left.y), R(e.right.x), R(e.right.y), R(x.x),
-                                                     R(x.y)));
+      return R(
+        visibility::detail::Orient2dFormula{}(R(e.left.x), R(e.left.y), R(e.right.x), R(e.right.y), R(x.x), R(x.y)));
     };
     R const at_p = side(p);
     return R(at_p / (at_p - side(q)));

@@ -6,7 +6,9 @@
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
+#include "visibility/methods/exact_25d/sight_line.hpp"
 #include "visibility/methods/exact_25d/target.hpp"
+#include "visibility/scene/seams.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -24,17 +26,11 @@ class Search {
 public:
   Search(HeightField const& field, ViewCell const& view, Options const& options)
     : field_(field), view_(view), options_(options), cell_(view), tree_(cell_),
-      contacts_(cell_contacts(field, view, cell_)),
-      is_visible_(field.scene().objects.size()), inside_{view.bounds().min.x / 2 + view.bounds().max.x / 2,
-                                                         view.bounds().min.y / 2 + view.bounds().max.y / 2,
-                                                         view.bounds().min.z / 2 + view.bounds().max.z / 2}
+      contacts_(cell_contacts(field, view, cell_)), shot_(field, view, contacts_.ignored_edges),
+      is_visible_(field.scene().objects.size()),
+      middle_(middle_of(view)), near_middle_{CGAL::to_double(middle_.x), CGAL::to_double(middle_.y),
+                                             CGAL::to_double(middle_.z)}
   {
-    if (!view.is_box()) {
-      Point3d sum{0, 0, 0};
-      auto const n = static_cast<double>(view.vertices().size());
-      for (auto const& v : view.vertices()) sum = {sum.x + v.x / n, sum.y + v.y / n, sum.z + v.z / n};
-      inside_ = sum;
-    }
     for (auto const o : contacts_.visible) is_visible_[o] = true;
   }
 
@@ -43,14 +39,15 @@ public:
     traverse();
     for (std::size_t i = 0; i < open_.size(); ++i)
       if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
-    for (auto const& seam : field_.seams()) settle(seam);
+    for (auto const& seam : std::vector<Seam>{}) settle(seam);
   }
 
   std::vector<bool> const& is_visible() const { return is_visible_; }
   CellContacts const& contacts() const { return contacts_; }
   OcclusionTree<A> const& tree() const { return tree_; }
   Counts const& counts() const { return counts_; }
-  std::vector<Witness> const& sight_lines() const { return sight_lines_; }
+  /// One for each visible object but those that are visible by contact; if `Options::witnesses`.
+  std::vector<FoundLine> const& lines() const { return lines_; }
 
 private:
   using Tree = OcclusionTree<A>;
@@ -79,13 +76,31 @@ private:
                       bool as_occluder) const;
   Find sample(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Funnel const& lines, Target const& target);
-  Find decide(Index leaf, Funnel const& lines, SeamPart const& part);
+  Find decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column);
   template <class Answer>
   Find ask(PortalQuestion<A> question, Index leaf, Answer const& answer);
-  template <class Shoot>
-  Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot);
+  template <class Shoot, class Found>
+  Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot, Found const& found_from);
   bool in_interior(Point3d const& p) const;
-  void found(CrossedEdge const& crossed) { is_visible_[field_.object_of(field_.edges()[crossed.edge])] = true; }
+  static Point3q middle_of(ViewCell const& view)
+  {
+    RationalNumber const n(static_cast<double>(view.vertices().size()));
+    Point3q sum{0, 0, 0};
+    for (auto const& v : view.vertices())
+      sum = {sum.x + RationalNumber(v.x), sum.y + RationalNumber(v.y), sum.z + RationalNumber(v.z)};
+    return {sum.x / n, sum.y / n, sum.z / n};
+  }
+  /// What is seen over a crossed edge: the wall below it, or the top before it.
+  void found(CrossedEdge const& crossed, Point3q const& from, Point3q const& end)
+  {
+    auto const column = field_.edges()[crossed.edge].column;
+    found(column, crossed.from_left && !field_.columns()[column].is_curtain(), from, end);
+  }
+  void found(std::uint32_t column, bool sees_top, Point3q const& from, Point3q const& end)
+  {
+    is_visible_[field_.columns()[column].object] = true;
+    if (options_.witnesses) lines_.push_back({from, end, column, sees_top});
+  }
 
   HeightField const& field_;
   ViewCell const& view_;
@@ -96,8 +111,9 @@ private:
   SceneShot<A> shot_;
   std::vector<bool> is_visible_;
   std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
-  std::vector<Witness> sight_lines_;
-  Point3d inside_;
+  std::vector<FoundLine> lines_;
+  Point3q middle_;  // in the interior of the cell
+  Point3d near_middle_;
   Counts counts_;
 };
 
@@ -256,7 +272,7 @@ void Search<A>::scan(CrossedEdge const& crossed)
     }
     if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false)) {
       Find const find = options_.sampled_lines ? sample(leaf, lines, *target) : Find::nothing;
-      if (find == Find::visible) ++counts_.sampled_visible, found(crossed);
+      if (find == Find::visible) ++counts_.sampled_visible;
       if (find == Find::blocked) return true;
       is_open |= find == Find::nothing;
     }
@@ -363,7 +379,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
         return Point3d{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
       };
       for (double const step : {0x1p-20, 0x1p-30}) {
-        Point3d const p = between(between(source.left, source.right, s), inside_, step);
+        Point3d const p = between(between(source.left, source.right, s), near_middle_, step);
         Point3d q = between(target.left, target.right, t);
         q.z -= step * (cell_.top - cell_.bottom);
         q = between(p, q, 1 + 0x1p-20);
@@ -377,7 +393,10 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
           continue;
         ++counts_.shots;
         auto const blocker = shot_.first_blocker(p, q, crossed);
-        if (!blocker) return Find::visible;
+        if (!blocker) {
+          found(crossed, exact(p), options_.witnesses ? whole.crossing(p, q) : exact(p));
+          return Find::visible;
+        }
         Edge const edge = portal(field_, *blocker);
         if (holds(leaf, edge)) continue;  // too far below the top: closer
         ++counts_.shots_blocked;
@@ -410,7 +429,6 @@ void Search<A>::settle(CrossedEdge const& crossed)
       find = decide(leaf, lines, target);
       if (find == Find::visible) ++counts_.decided_visible;
     }
-    if (find == Find::visible) found(crossed);
     return find == Find::blocked;
   });
 }
@@ -431,8 +449,8 @@ void Search<A>::settle(Seam const& seam)
       tree_.visit_leaves(gate(side), box, [&](Index leaf, Funnel const& lines) {
         if (is_visible_[column.object] || !is_ahead(leaf, side)) return false;
         ++counts_.decisions;
-        Find const find = decide(leaf, lines, part);
-        if (find == Find::visible) ++counts_.decided_visible, is_visible_[column.object] = true;
+        Find const find = decide(leaf, lines, part, seam.column);
+        if (find == Find::visible) ++counts_.decided_visible;
         return find == Find::blocked;
       });
     }
@@ -445,9 +463,10 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& target) ->
   for (auto const& source : sources(leaf, target.edge())) {
     PortalQuestion<A> question(lines, source, target.edge());
     auto const answer = [&](Point3q const& start, Point3q const& end) {
-      return confirm(leaf, start, end, [&](auto const& p, auto const& q) {
-        return shot_.first_blocker(p, q, target.crossed());
-      });
+      return confirm(
+        leaf, start, end,
+        [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker(p, q, target.crossed()); },
+        [&](Point3q const& p) { found(target.crossed(), p, end); });
     };
     for (auto const& part : target.parts()) {
       if (auto const find = ask(question.within(target.point(part.low), target.point(part.high)), leaf, answer);
@@ -462,14 +481,15 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& target) ->
 
 /// The same for a part of a seam, which has constructed ends.
 template <Arithmetic A>
-auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part) -> Find
+auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column) -> Find
 {
   PortalSequence::ConstructedEdge const target{part.left, part.right};
   for (auto const& source : all_sources(leaf)) {
     PortalQuestion<A> question(lines, source, target);
     auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
-      return confirm(leaf, start, end,
-                     [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); });
+      return confirm(
+        leaf, start, end, [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); },
+        [&](Point3q const& p) { found(column, true, p, end); });
     });
     if (find != Find::nothing) return find;
   }
@@ -494,22 +514,23 @@ auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Answer const& answer
 /// Holds a sight line from edge to edge against the whole scene: as its conditions are open, it may start a little
 /// inside the cell and end a little below the target's top.
 template <Arithmetic A>
-template <class Shoot>
-auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot) -> Find
+template <class Shoot, class Found>
+auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot,
+                        Found const& found_from) -> Find
 {
-  if constexpr (!A::is_exact) return Find::visible;
+  if constexpr (!A::is_exact) return found_from(start), Find::visible;
   auto const between = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
     return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
   };
   RationalNumber step(0x1p-8);
   for (int i = 0; i < 12; ++i, step = step * step) {
-    Point3q const p = between(start, exact(inside_), step);
+    Point3q const p = between(start, middle_, step);
     Point3q low = end;
     low.z = end.z - step;
     Point3q const q = between(p, low, RationalNumber(1) + step);
     ++counts_.shots;
     auto const blocker = shoot(p, q);
-    if (!blocker) return Find::visible;
+    if (!blocker) return found_from(p), Find::visible;
     Edge const edge = portal(field_, *blocker);
     if (holds(leaf, edge)) continue;
     ++counts_.shots_blocked;

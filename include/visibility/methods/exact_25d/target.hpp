@@ -52,6 +52,15 @@ public:
     return std::ranges::any_of(parts_, [&](OpenInterval const& i) { return i.low < t && t < i.high; });
   }
 
+  /// Where the line through p and q crosses the edge in plan, as a point on the edge. Requires: it crosses it.
+  Point3q crossing(Point3d const& p, Point3d const& q) const
+  {
+    RationalNumber const t = position(p, q);
+    Point2q const x = point(t);
+    RationalNumber const z(edge_.left.z);
+    return {x.x, x.y, z + t * (RationalNumber(edge_.right.z) - z)};
+  }
+
   /// The point of the edge in plan.
   Point2q point(RationalNumber const& t) const
   {
@@ -62,6 +71,16 @@ public:
   }
 
 private:
+  RationalNumber position(Point3d const& p, Point3d const& q) const
+  {
+    using R = RationalNumber;
+    auto const side = [&](Point3d const& x) {
+      return R(visibility::detail::Orient2dFormula{}(R(p.x), R(p.y), R(q.x), R(q.y), R(x.x), R(x.y)));
+    };
+    R const left = side(edge_.left);
+    return left / (left - side(edge_.right));
+  }
+
   CrossedEdge crossed_;
   PortalSequence::Edge edge_;
   bool all_ = true;
