@@ -49,6 +49,20 @@ ExposedParts top_beside(HeightField const& field, HeightField::TopEdge const& e,
   return ask(EdgeCover<Rational, Point3q>(field, top_over(field, g, e.a), top_over(field, g, e.b), side, column, true));
 }
 
+/// Whether the column ends at the line of an edge, on that side of it, with edges of its own.
+template <Arithmetic A>
+bool ends_with_edges(HeightField const& field, HeightField::TopEdge const& e, Sign side, std::uint32_t column)
+{
+  auto const turn = [&](Point3d const& p) { return orient2d<A>(horizontal(e.a), horizontal(e.b), horizontal(p)); };
+  auto const on_line = [&](Point3d const& p, Point3d const& q) { return is_zero(turn(p)) && is_zero(turn(q)); };
+  auto const corners = field.corners(field.columns()[column]);
+  if (std::ranges::any_of(corners, [&](Point3d const& p) { return turn(p) == -side; })) return false;
+  std::ptrdiff_t sides = 0;
+  for (std::size_t i = corners.size() - 1, j = 0; j < corners.size(); i = j++) sides += on_line(corners[i], corners[j]);
+  auto const edges = std::ranges::equal_range(field.edges(), column, {}, &HeightField::TopEdge::column);
+  return sides == std::ranges::count_if(edges, [&](auto const& f) { return on_line(f.a, f.b); });
+}
+
 }  // namespace
 
 template <Arithmetic A>
@@ -74,7 +88,7 @@ std::vector<Foot> exposed_feet(HeightField const& field, std::uint32_t edge, Cro
   field.column_hierarchy().any_item_meeting(reach, [&](std::uint32_t column) {
     if (field.columns()[column].object == field.object_of(e)) return false;
     auto const lower = wall.lower(column);
-    if (!lower) return false;
+    if (!lower || ends_with_edges<A>(field, e, side, column)) return false;
     OpenInterval const range{lower->low.value_or(0), lower->high.value_or(1)};
     auto top = top_beside<A>(field, e, side, column, range);
     if (top.all) top.parts = {range};
