@@ -48,25 +48,67 @@ Shape slope(double x0, double y0, double x1, double y1, double z0, double gx, do
   return mesh({triangle(at(x0, y0), at(x1, y0), at(x1, y1)), triangle(at(x0, y0), at(x1, y1), at(x0, y1))});
 }
 
+/// A point of an edge, and one a tiny step to the side from which the crossing is covered.
+struct Beside {
+  NT height;
+  Point2q at;
+  Beside(HeightField::TopEdge const& e, Crossing crossing, NT const& t)
+  {
+    auto const a = exact(e.a), b = exact(e.b);
+    NT const step = crossing == Crossing::entering ? NT(0x1p-200) : NT(-0x1p-200);
+    height = a.z + t * (b.z - a.z);
+    at = {a.x + t * (b.x - a.x) + step * (b.y - a.y), a.y + t * (b.y - a.y) - step * (b.x - a.x)};
+  }
+};
+
 /// The definition at one point: a column that contains the points just in front of the wall point just below the edge,
 /// or, leaving, one that is higher than the edge's column just before the edge.
 bool exposed_at(HeightField const& field, std::uint32_t edge, Crossing crossing, NT const& t)
 {
-  NT const step(0x1p-200), below(0x1p-100);
   auto const& e = field.edges()[edge];
   auto const& own = field.columns()[e.column];
-  auto const a = exact(e.a), b = exact(e.b);
-  NT const side = crossing == Crossing::entering ? NT(1) : NT(-1);
-  NT const h = a.z + t * (b.z - a.z);
-  Point2q const beside{a.x + t * (b.x - a.x) + side * step * (b.y - a.y),
-                       a.y + t * (b.y - a.y) - side * step * (b.x - a.x)};
+  Beside const p(e, crossing, t);
   bool const sees_top = crossing == Crossing::leaving && !own.is_curtain();
   for (auto const& f : field.columns()) {
-    if (&f == &own || f.is_curtain() || !contains(field, f, beside)) continue;
-    NT const top = top_over(field, f, beside);
-    if (sees_top ? top > top_over(field, own, beside) : top >= h - below) return false;
+    if (&f == &own || f.is_curtain() || !contains(field, f, p.at)) continue;
+    NT const top = top_over(field, f, p.at);
+    if (sees_top ? top > top_over(field, own, p.at) : top >= p.height - NT(0x1p-100)) return false;
   }
   return true;
+}
+
+/// Whether an edge of the column passes through the point of `e` at t, along it.
+bool has_edge_along(HeightField const& field, std::uint32_t column, HeightField::TopEdge const& e, NT const& t)
+{
+  auto const a = exact(e.a), b = exact(e.b);
+  NT const dx = b.x - a.x, dy = b.y - a.y;
+  auto const along = [&](Point3d const& p) -> NT {
+    return ((NT(p.x) - a.x) * dx + (NT(p.y) - a.y) * dy) / (dx * dx + dy * dy);
+  };
+  auto const on_line = [&](Point3d const& p) { return (NT(p.x) - a.x) * dy == (NT(p.y) - a.y) * dx; };
+  return std::ranges::any_of(field.edges(), [&](auto const& f) {
+    return f.column == column && on_line(f.a) && on_line(f.b) && (along(f.a) - t) * (along(f.b) - t) < 0;
+  });
+}
+
+/// The columns of other objects that are highest just before a point of the edge, and lower than it. `abutting`: those
+/// that have an edge of their own there instead.
+std::set<std::uint32_t> feet_at(HeightField const& field, std::uint32_t edge, Crossing crossing, NT const& t,
+                                bool abutting)
+{
+  auto const& e = field.edges()[edge];
+  Beside const p(e, crossing, t), behind(e, crossing == Crossing::entering ? Crossing::leaving : Crossing::entering, t);
+  auto const highest = surface_over(field, p.at);
+  std::set<std::uint32_t> out;
+  if (!highest || *highest >= p.height - NT(0x1p-100)) return out;
+  for (std::uint32_t i = 0; i < field.columns().size(); ++i) {
+    auto const& c = field.columns()[i];
+    if (!c.is_curtain() && c.object != field.object_of(e) && contains(field, c, p.at) &&
+        top_over(field, c, p.at) == *highest &&
+        abutting == (!contains(field, c, behind.at) && has_edge_along(field, i, e, t)))
+      out.insert(i);
+  }
+  return out;
 }
 
 /// What is exposed of every edge, by object, column, edge and crossing. Columns that coincide must agree.
@@ -219,6 +261,71 @@ TEST_CASE("exposed parts: inside a part iff no column covers the point", "[scene
   }
   REQUIRE(covered > 100);
   REQUIRE(partly > 100);
+}
+
+TEST_CASE("exposed feet: the highest top of another object in front of a wall", "[scene]")
+{
+  auto const feet = [](std::vector<Shape> others) {
+    others.insert(others.begin(), house);
+    Scene const scene = scene_of(others);
+    HeightField const field(scene);
+    std::vector<std::pair<std::uint32_t, Parts>> out;  // by object: each has one column
+    for (auto const& f : exposed_feet(field, edge_at(field, 0, {0, 0, 5}, {10, 0, 5}), Crossing::entering))
+      out.emplace_back(field.columns()[f.column].object, f.parts);
+    return out;
+  };
+  using Feet = std::vector<std::pair<std::uint32_t, Parts>>;
+  REQUIRE(feet({}).empty());
+  REQUIRE(feet({box(-5, -5, 15, 15, 5)}).empty());              // as high as the wall
+  REQUIRE(feet({box(0, -4, 10, 0, 2)}).empty());                // its own edge is there
+  REQUIRE(feet({box(0, 0, 10, 9, 2)}).empty());                 // behind it
+  REQUIRE(feet({box(-5, -5, 15, 15, 2)}) == Feet{{1, whole}});  // the wall of a tower on a roof
+  REQUIRE(feet({box(-5, -5, 15, 15, 2), box(-5, -5, 15, 15, 2)}) == Feet{{1, whole}, {2, whole}});
+  REQUIRE(feet({box(-5, -5, 4, 15, 2), box(2, -5, 15, 15, 3)}) ==
+          Feet{{1, {{NT(0), NT(1, 5)}}}, {2, {{NT(1, 5), NT(1)}}}});  // the higher one hides the lower
+  REQUIRE(feet({box(-5, -5, 15, 15, 2), box(2, -5, 3, 0, 9)}) == Feet{{1, {{NT(0), NT(1, 5)}, {NT(3, 10), NT(1)}}}});
+  Shape tower = house;
+  tower.boxes.push_back({{-5, -5, 0}, {15, 15, 2}});
+  Scene const scene = scene_of({tower});
+  HeightField const field(scene);
+  REQUIRE(exposed_feet(field, edge_at(field, 0, {0, 0, 5}, {10, 0, 5}), Crossing::entering).empty());
+}
+
+TEST_CASE("exposed feet: a part iff the column is highest just before the point", "[scene][oracle]")
+{
+  int found = 0, mixed = 0;
+  for (int seed = 1; seed <= trials(60); ++seed) {
+    CAPTURE(seed);
+    Random random(static_cast<std::uint64_t>(seed) + 2000);
+    Scene const scene = scene_of(random_shapes(random, random.between(2, 12), random.between(3, 8)));
+    HeightField const field(scene);
+    for (std::uint32_t i = 0; i < field.edges().size(); ++i)
+      for (auto const crossing : {Crossing::entering, Crossing::leaving}) {
+        if (crossing == Crossing::leaving && !field.columns()[field.edges()[i].column].is_curtain()) continue;
+        auto const feet = exposed_feet(field, i, crossing), reference = exposed_feet<Rational>(field, i, crossing);
+        REQUIRE(feet.size() == reference.size());
+        for (std::size_t k = 0; k < feet.size(); ++k) {
+          REQUIRE(feet[k].column == reference[k].column);
+          REQUIRE(feet[k].parts == reference[k].parts);
+        }
+        for (int k = 0; k < 3; ++k) {
+          NT const t(random.between(1, 10'006), 10'007);
+          std::set<std::uint32_t> here;
+          for (auto const& f : feet)
+            for (auto const& p : f.parts)
+              if (p.low < t && t < p.high) here.insert(f.column);
+          CAPTURE(i, int(crossing), CGAL::to_double(t));
+          auto const expected = feet_at(field, i, crossing, t, false), others = feet_at(field, i, crossing, t, true);
+          REQUIRE(std::ranges::includes(here, expected));
+          // An abutting column may have its foot where another of its collinear sides is no edge.
+          for (auto const c : here) REQUIRE((expected.contains(c) || others.contains(c)));
+          mixed += here.size() > expected.size();
+          found += !here.empty();
+        }
+      }
+  }
+  REQUIRE(found > 100);
+  REQUIRE(mixed < found / 20);
 }
 
 TEST_CASE("exposed parts: laws of order, rotation and split", "[scene][law]")

@@ -146,8 +146,8 @@ TEST_CASE("grounded: solid exactly below the upper surface", "[scene][oracle]")
       ++(below ? solid : air);
     }
   }
-  REQUIRE(solid > 100);
-  REQUIRE(air > 100);
+  REQUIRE(solid > 50);
+  REQUIRE(air > 50);
 }
 
 TEST_CASE("grounded: a city on the ground stays as it is; real scenes come down", "[scene]")
