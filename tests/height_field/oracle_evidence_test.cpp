@@ -15,10 +15,12 @@ namespace {
 
 HeightField field(Random& random, int seed)
 {
-  switch (seed % 4) {
+  switch (seed % 6) {
   case 0: return grid_field(random, 8, 8);
   case 1: return turned_field(random, 8, 12);
   case 2: return slanted_field(random, 8, 12);
+  case 3: return crossing_field(random, 7, false);
+  case 4: return crossing_field(random, 7, true);
   default: return slanted_grid_field(random, 8, 6);
   }
 }

@@ -96,4 +96,21 @@ inline HeightField slanted_grid_field(Random& random, int columns, int reach)
   return f;
 }
 
+/// Slanted triangles in one place, crossing one another in plan and in height; on a grid or anywhere.
+inline HeightField crossing_field(Random& random, int columns, bool on_grid)
+{
+  HeightField f{{}, std::size_t(columns), unit_cell};
+  auto const point = [&] {
+    if (on_grid)
+      return Point3d{double(random.between(2, 8)), double(random.between(-3, 4)), double(random.between(0, 3))};
+    return Point3d{random.uniform(2, 8), random.uniform(-3, 4), random.uniform(0.2, 3)};
+  };
+  while (f.columns.size() < std::size_t(columns)) {
+    Point3d const a = point(), b = point(), c = point();
+    if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.01)
+      f.columns.push_back(triangle(std::uint32_t(f.columns.size()), a, b, c));
+  }
+  return f;
+}
+
 }  // namespace visibility::test
