@@ -179,3 +179,13 @@ TEST_CASE("height field oracle: a pinwheel of walls closes the view, each one ne
     CHECK(seen(scene).back() == 'v');
   }
 }
+
+TEST_CASE("height field oracle: what is seen along a null set of lines is hidden", "[height_field][degenerate]")
+{
+  // proofs/visibility.md: two wedges that touch the wall in one line.
+  std::vector<Column> const columns{box(0, 4, -4, 5, 4, 3), triangle(1, {4, 0, 9}, {4, 5, 9}, {3, 0.5, 9}),
+                                    triangle(2, {4, 0, 9}, {3, -0.5, 9}, {4, -5, 9})};
+  Cell const cell{{{0, -0.5}, {1, -0.5}, {1, 0.5}, {0, 0.5}}, 0, 1};
+  CHECK(seen(columns, cell) == "hvv");
+  CHECK(oracle::confirms(columns, cell, {0, exact(Point3d{0.5, 0, 0.5}), exact(Point3d{4, 0, 0.5})}));
+}
