@@ -1,5 +1,7 @@
 #include "visibility/methods/exact_25d/sight_line.hpp"
 
+#include "top_plane.hpp"
+
 #include "visibility/predicates/orient2d.hpp"
 
 #include <algorithm>
@@ -14,27 +16,6 @@ R turn(Point3d const& p, Point3d const& q, Point3q const& x)
 {
   return detail::Orient2dFormula{}(R(p.x), R(p.y), R(q.x), R(q.y), x.x, x.y);
 }
-
-/// The height of a plane over a point of the plan, from three corners that are not in line.
-class TopPlane {
-public:
-  explicit TopPlane(std::span<Point3d const> corners) : origin_(exact(corners[0]))
-  {
-    Point3q const a = exact(corners[1]), b = exact(corners[2]);
-    R const ax = a.x - origin_.x, ay = a.y - origin_.y, az = a.z - origin_.z;
-    R const bx = b.x - origin_.x, by = b.y - origin_.y, bz = b.z - origin_.z, area = ax * by - ay * bx;
-    if (area == 0) return;  // flat, first corners in line
-    slope_x_ = (az * by - ay * bz) / area;
-    slope_y_ = (ax * bz - az * bx) / area;
-  }
-  R at(R const& x, R const& y) const { return origin_.z + slope_x_ * (x - origin_.x) + slope_y_ * (y - origin_.y); }
-  /// How far p is above.
-  R above(Point3q const& p) const { return p.z - at(p.x, p.y); }
-
-private:
-  Point3q origin_;
-  R slope_x_ = 0, slope_y_ = 0;
-};
 
 Point3q between(Point3q const& a, Point3q const& b, R const& t)
 {

@@ -7,8 +7,8 @@
 namespace visibility::oracle::detail {
 namespace {
 
-constexpr int deepest = 60;           // levels of bisection
-constexpr int most_triangles = 3000;  // per decision
+constexpr int deepest = 240;          // levels of bisection
+constexpr int most_triangles = 8000;  // per decision
 
 Vector times(Form const& f, Vector const& v)
 {

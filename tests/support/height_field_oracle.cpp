@@ -7,8 +7,7 @@ namespace visibility::oracle {
 Answer visible_objects(std::span<Column const> columns, std::size_t object_count, Cell const& cell)
 {
   validate(columns, object_count, cell);
-  Answer answer{std::vector<Verdict>(object_count, Verdict::hidden),
-                std::vector<std::optional<Witness>>(object_count)};
+  Answer answer{std::vector<Verdict>(object_count, Verdict::hidden), std::vector<std::optional<Witness>>(object_count)};
   for (auto const& c : columns)
     if (meets(c, cell)) answer.verdict[c.object] = Verdict::visible;
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-/// Exact from-region visibility in height fields of few columns, straight from the definition. Slow, independent of every
-/// method of the library, and sure of what it says: visible is proved by a sight line in rationals, hidden by signs of
-/// quadratic forms on convex sets of lines of the plane. How and why: proofs/height_field_oracle.md.
+/// Exact from-region visibility in height fields of few columns, straight from the definition. Slow, independent of
+/// every method of the library, and sure of what it says: visible is proved by a sight line in rationals, hidden by
+/// signs of quadratic forms on convex sets of lines of the plane. How and why: proofs/height_field_oracle.md.
 namespace visibility::oracle {
 
 /// A convex polygon of the plane, solid from its top down to minus infinity, closed.

@@ -1,21 +1,20 @@
 #include "support/height_field_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace visibility::oracle::detail {
 namespace {
 
-Vector point(double x, double y) { return {NT(x), NT(y), NT(1)}; }
-
-Plane top_of(Column const& column)
+/// A power of two about as large as the scene in plan.
+double extent(std::span<Column const> columns, Cell const& cell)
 {
-  auto const& c = column.corners;
-  if (c.size() > 3 || (c[0].z == c[1].z && c[0].z == c[2].z)) return {{NT(0), NT(0), NT(c[0].z)}, NT(1)};
-  auto const from_first = [&](Point3d const& p) {
-    return Vector{NT(p.x) - NT(c[0].x), NT(p.y) - NT(c[0].y), NT(p.z) - NT(c[0].z)};
-  };
-  Vector const n = cross(from_first(c[1]), from_first(c[2]));
-  return {{-n.x, -n.y, dot(n, {NT(c[0].x), NT(c[0].y), NT(c[0].z)})}, n.z};
+  double reach = 0;
+  auto const& o = cell.footprint[0];
+  for (auto const& p : cell.footprint) reach = std::max({reach, std::fabs(p.x - o.x), std::fabs(p.y - o.y)});
+  for (auto const& c : columns)
+    for (auto const& p : c.corners) reach = std::max({reach, std::fabs(p.x - o.x), std::fabs(p.y - o.y)});
+  return std::ldexp(1.0, std::clamp(std::ilogb(reach), -1000, 1000));
 }
 
 /// The point common to two lines that are not parallel, with z > 0.
@@ -36,7 +35,8 @@ bool on(Segment const& s, Vector const& p)
 
 }  // namespace
 
-Plan::Plan(std::span<Column const> input, Cell const& cell) : columns(static_cast<int>(input.size()))
+Plan::Plan(std::span<Column const> input, Cell const& cell)
+  : origin(cell.footprint[0]), unit(extent(input, cell)), columns(static_cast<int>(input.size()))
 {
   for (auto const& c : input) {
     std::vector<Vector> corners;
@@ -51,6 +51,19 @@ Plan::Plan(std::span<Column const> input, Cell const& cell) : columns(static_cas
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < i; ++j) add_ridge(i, j);
   add_crossings();
+}
+
+Plane Plan::top_of(Column const& column) const
+{
+  auto const& c = column.corners;
+  if (c.size() > 3 || (c[0].z == c[1].z && c[0].z == c[2].z)) return {{NT(0), NT(0), NT(c[0].z)}, NT(1)};
+  Vector const first = point(c[0].x, c[0].y);
+  auto const from_first = [&](Point3d const& q) {
+    Vector const p = point(q.x, q.y);
+    return Vector{p.x - first.x, p.y - first.y, NT(q.z) - NT(c[0].z)};
+  };
+  Vector const n = cross(from_first(c[1]), from_first(c[2]));
+  return {{-n.x, -n.y, dot(n, {first.x, first.y, NT(c[0].z)})}, n.z};
 }
 
 void Plan::add_polygon(std::vector<Vector> const& corners, Plane const& top, std::vector<bool> const& inner)

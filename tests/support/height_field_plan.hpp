@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <vector>
 
-/// The plan of a height field in homogeneous coordinates: a line of the plane is the vector l, a point the vector p, and
-/// l.p > 0 left of the directed line, which runs along (l_y, -l_x). All coordinates are polynomials in the input, so that
-/// a ring of exact numbers suffices.
+/// The plan of a height field in homogeneous coordinates: a line of the plane is the vector l, a point the vector p,
+/// and l.p > 0 left of the directed line, which runs along (l_y, -l_x). All coordinates are polynomials in the input,
+/// so that a ring of exact numbers suffices.
 namespace visibility::oracle::detail {
 
 using NT = ExactNumber;
@@ -54,6 +54,9 @@ struct Event {
 struct Plan {
   Plan(std::span<Column const> columns, Cell const& cell);
 
+  Point2d origin;  ///< of the plan's coordinates, a corner of the cell
+  double unit;     ///< of them, a power of two: the whole plan lies about as far from the origin. A choice.
+
   int columns;                                ///< the cell is the polygon of that number
   std::vector<std::vector<Vector>> polygons;  ///< corners
   std::vector<Plane> tops;
@@ -63,9 +66,20 @@ struct Plan {
   int first_ridge;            ///< segments from here on are ridges
 
   int cell() const { return columns; }
+  /// Where a point of the plan lies in the scene.
+  Point3q in_scene(Point2q const& p, RationalNumber const& z) const
+  {
+    using Q = RationalNumber;
+    return {p.x * Q(unit) + Q(origin.x), p.y * Q(unit) + Q(origin.y), z};
+  }
   int side_count(int polygon) const { return static_cast<int>(polygons[std::size_t(polygon)].size()); }
 
 private:
+  Vector point(double x, double y) const
+  {
+    return {NT(1 / unit) * (NT(x) - NT(origin.x)), NT(1 / unit) * (NT(y) - NT(origin.y)), NT(1)};
+  }
+  Plane top_of(Column const& column) const;
   void add_polygon(std::vector<Vector> const& corners, Plane const& top, std::vector<bool> const& inner);
   void add_ridge(int i, int j);
   void add_crossings();

@@ -86,15 +86,18 @@ bool Search::visit(Cone const& cone, std::vector<Known> known, Events const& pen
   Event const* at = nullptr;
   for (auto const* e : pending) {
     if ((e->owners & alive) != e->owners || !signs(e->point, cone.rays).both()) continue;
-    if (at == nullptr) at = e;
-    else rest.push_back(e);
+    if (at == nullptr)
+      at = e;
+    else
+      rest.push_back(e);
   }
   if (at == nullptr) return leaf(cone, alive);
   auto const [right, left] = split(cone, at->point);
   return visit(right, known, rest) || visit(left, known, rest);
 }
 
-/// Whether the columns whose passage is fixed hide the target on the whole cone. Requires: those of cell and target are.
+/// Whether the columns whose passage is fixed hide the target on the whole cone. Requires: those of cell and target
+/// are.
 bool Search::hidden(std::span<Vector const> rays, std::vector<Known> const& known)
 {
   auto const &cell = known[std::size_t(plan_.cell())].passage, &own = known[std::size_t(target_)].passage;
@@ -110,8 +113,7 @@ bool Search::hidden(std::span<Vector const> rays, std::vector<Known> const& know
 }
 
 /// Whether one column before the target blocks the segment from source to end on the whole cone.
-bool Search::blocked(std::span<Vector const> rays, std::vector<Known> const& known, Post const& source,
-                     Post const& end)
+bool Search::blocked(std::span<Vector const> rays, std::vector<Known> const& known, Post const& source, Post const& end)
 {
   Stop const enter = known[std::size_t(target_)].passage.enter;
   for (int i = 0; i < plan_.columns; ++i) {

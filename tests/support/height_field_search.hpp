@@ -8,8 +8,8 @@
 
 namespace visibility::oracle::detail {
 
-/// Looks for a line along which one column is visible: depth first over cones of lines, each divided by events until the
-/// column is proved hidden on it or the order of the slice is the same for all its lines.
+/// Looks for a line along which one column is visible: depth first over cones of lines, each divided by events until
+/// the column is proved hidden on it or the order of the slice is the same for all its lines.
 class Search {
 public:
   struct Result {

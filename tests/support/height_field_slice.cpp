@@ -172,7 +172,7 @@ View view_along(Plan const& plan, Vector const& line, int target, Polygons alive
           {{stop, plan.cell()}, {own->passage.enter, target}, true, occluders_of_wall(slice, from, r)});
     } else if (slice.stands_out(target, r)) {
       Point2q const from = towards(slice.place(r), slice.place(r - 1), shrink), to = slice.place(r);
-      view.from_above = Witness{0, {from.x, from.y, eye}, {to.x, to.y, slice.height_at(target, to) - shrink}};
+      view.from_above = Witness{0, plan.in_scene(from, eye), plan.in_scene(to, slice.height_at(target, to) - shrink)};
     }
   }
   // Each piece of its top that no other column covers: from above, or by the far end of the piece.
@@ -180,7 +180,7 @@ View view_along(Plan const& plan, Vector const& line, int target, Polygons alive
     if (!slice.is_top(target, r)) continue;
     if (cell->first <= r && r < cell->last) {
       Point2q const m = middle(slice.place(r), slice.place(r + 1));
-      view.from_above = Witness{0, {m.x, m.y, eye}, {m.x, m.y, slice.height_at(target, m)}};
+      view.from_above = Witness{0, plan.in_scene(m, eye), plan.in_scene(m, slice.height_at(target, m))};
     }
     bool const ends = r + 1 == own->last || !slice.is_top(target, r + 1);
     if (ends && r + 1 > cell->last)
@@ -200,9 +200,8 @@ Witness sight_line(Plan const& plan, Vector const& line, Candidate const& candid
   Point2q const limit = at(candidate.target.stop);
   Point2q const to = candidate.wall ? limit : towards(limit, at(own.enter), shrink);
   Q const drop = candidate.wall ? shrink : Q(0);
-  return {0,
-          {from.x, from.y, height(plan, plan.cell(), from) - shrink},
-          {to.x, to.y, height(plan, candidate.target.top, to) - drop}};
+  return {0, plan.in_scene(from, height(plan, plan.cell(), from) - shrink),
+          plan.in_scene(to, height(plan, candidate.target.top, to) - drop)};
 }
 
 }  // namespace visibility::oracle::detail

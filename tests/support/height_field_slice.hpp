@@ -21,8 +21,8 @@ struct Post {
   int top;  ///< number of the polygon
 };
 
-/// A way in which a line can see a column: the segment from `source` (an end of the cell's top) to `target` (the top of a
-/// wall, or the far end of a visible piece of the column's top) passes strictly above every post of `occluders`.
+/// A way in which a line can see a column: the segment from `source` (an end of the cell's top) to `target` (the top of
+/// a wall, or the far end of a visible piece of the column's top) passes strictly above every post of `occluders`.
 struct Candidate {
   Post source, target;
   bool wall;
@@ -35,8 +35,8 @@ struct View {
   std::optional<Witness> from_above;  ///< the column is seen for sure, inside the cell's footprint
 };
 
-/// The directed line must pass through no event of the plan whose polygons are all in `alive`; only those polygons count.
-/// `shrink` > 0, small: how far from the limits a witness from above is.
+/// The directed line must pass through no event of the plan whose polygons are all in `alive`; only those polygons
+/// count. `shrink` > 0, small: how far from the limits a witness from above is.
 View view_along(Plan const& plan, Vector const& line, int target, Polygons alive, RationalNumber const& shrink);
 
 /// The sight line of a candidate, moved by `shrink` off its limits into the interiors of cell and face.

@@ -6,9 +6,9 @@
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
+#include "visibility/methods/exact_25d/seam.hpp"
 #include "visibility/methods/exact_25d/sight_line.hpp"
 #include "visibility/methods/exact_25d/target.hpp"
-#include "visibility/scene/seams.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -39,7 +39,7 @@ public:
     traverse();
     for (std::size_t i = 0; i < open_.size(); ++i)
       if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
-    for (auto const& seam : std::vector<Seam>{}) settle(seam);
+    for (std::size_t i = 0; i < walls_.size(); ++i) settle_feet(walls_[i]);
   }
 
   std::vector<bool> const& is_visible() const { return is_visible_; }
@@ -59,7 +59,7 @@ private:
   void process(std::uint32_t edge);
   void scan(CrossedEdge const& crossed);
   void settle(CrossedEdge const& crossed);
-  void settle(Seam const& seam);
+  void settle_feet(CrossedEdge const& crossed);
   void insert(CrossedEdge const& crossed);
   bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines);
 
@@ -110,7 +110,8 @@ private:
   CellContacts contacts_;
   SceneShot<A> shot_;
   std::vector<bool> is_visible_;
-  std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
+  std::vector<CrossedEdge> walls_;  // all that were not certainly hidden
+  std::vector<CrossedEdge> open_;   // neither hidden nor seen when their turn came
   std::vector<FoundLine> lines_;
   Point3q middle_;  // in the interior of the cell
   Point3d near_middle_;
@@ -158,7 +159,10 @@ void Search<A>::process(std::uint32_t edge)
 {
   if (std::ranges::binary_search(contacts_.ignored_edges, edge)) return;
   for (bool const from_left : {false, true})
-    if (CrossedEdge const crossed{edge, from_left}; is_relevant(crossed)) scan(crossed);
+    if (CrossedEdge const crossed{edge, from_left}; is_relevant(crossed)) {
+      scan(crossed);
+      if (!from_left || field_.columns()[field_.edges()[edge].column].is_curtain()) walls_.push_back(crossed);
+    }
 }
 
 /// Whether the cell has points from which the edge is crossed this way, and if that means leaving a column, points
@@ -433,27 +437,29 @@ void Search<A>::settle(CrossedEdge const& crossed)
   });
 }
 
-/// Looks for the top of a column where another object's column stands on it, if the object was not seen otherwise.
-/// Sight lines that meet the seam leave the column by one of its sides.
+/// Looks for tops at the foot of the wall below an edge, of objects that were not seen otherwise.
 template <Arithmetic A>
-void Search<A>::settle(Seam const& seam)
+void Search<A>::settle_feet(CrossedEdge const& crossed)
 {
-  auto const& column = field_.columns()[seam.column];
-  Box const box = bounds(field_, seam);
-  if (is_visible_[column.object] || tree_.hides(box)) return;
-  auto const parts = exposed_parts(field_, seam);
-  auto const corners = field_.corners(column);
-  for (auto const& part : parts)
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      Edge const side{corners[i + 1 < corners.size() ? i + 1 : 0], corners[i]};
-      tree_.visit_leaves(gate(side), box, [&](Index leaf, Funnel const& lines) {
-        if (is_visible_[column.object] || !is_ahead(leaf, side)) return false;
+  Edge const edge = portal(field_, crossed);
+  for (auto const& foot :
+       exposed_feet(field_, crossed.edge, crossed.from_left ? Crossing::leaving : Crossing::entering)) {
+    auto const& column = field_.columns()[foot.column];
+    Box box;
+    box.extend(edge.left);
+    box.extend(edge.right);
+    box.max.z = -HUGE_VAL;
+    for (auto const& c : field_.corners(column)) box.max.z = std::max(box.max.z, c.z);
+    box.min.z = std::min(box.min.z, box.max.z);
+    for (auto const& part : foot_seams(field_, crossed, foot))
+      tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
+        if (is_visible_[column.object] || !is_ahead(leaf, edge)) return false;
         ++counts_.decisions;
-        Find const find = decide(leaf, lines, part, seam.column);
+        Find const find = decide(leaf, lines, part, foot.column);
         if (find == Find::visible) ++counts_.decided_visible;
         return find == Find::blocked;
       });
-    }
+  }
 }
 
 /// The questions that the exposed parts of a target put in a leaf, one for each source, until one is answered.
