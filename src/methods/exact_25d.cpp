@@ -13,10 +13,13 @@ PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell
   exact_25d::Search<A> search(field, cell, options_);
   search.run();
   PotentiallyVisibleSet set;
-  set.guarantee = !A::is_exact ? Guarantee::none : search.contacts().exact ? Guarantee::exact : Guarantee::conservative;
+  bool const is_exact = search.contacts().exact && options_.occlusion == exact_25d::Occlusion::exact;
+  set.guarantee = !A::is_exact || options_.occluder_shrink > 0 ? Guarantee::none
+                  : is_exact                                   ? Guarantee::exact
+                                                               : Guarantee::conservative;
   for (std::uint32_t o = 0; o < search.is_visible().size(); ++o)
     if (search.is_visible()[o]) set.visible.push_back(o);
-  if constexpr (A::is_exact)
+  if (set.guarantee != Guarantee::none && options_.occlusion == exact_25d::Occlusion::exact)
     for (auto const& line : search.lines())
       if (auto w = exact_25d::witness(field, line)) set.witnesses.push_back(std::move(*w));
   std::ranges::sort(set.witnesses, {}, &Witness::object);

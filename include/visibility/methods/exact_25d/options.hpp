@@ -2,8 +2,18 @@
 
 namespace visibility::exact_25d {
 
-/// What the answer does not depend on, unless it says so.
+/// What hides an edge.
+enum class Occlusion {
+  exact,         ///< all edges together
+  single_wedges  ///< one edge at a time, by its penumbra wedge: a typical conservative method [Bittner05, §6.2]
+};
+
+/// The answer depends on `occlusion` and `occluder_shrink` only.
 struct Options {
+  Occlusion occlusion = Occlusion::exact;
+  /// Radians by which every occluder is shortened at both ends, as seen from the middle of the cell: simulates a method
+  /// that samples line space with this spacing [Bittner05, §6.3, table 4]. The guarantee is then `none`.
+  double occluder_shrink = 0;
   bool hierarchical_culling = true;  ///< drop groups of edges that the occlusion tree hides
   bool penumbra_wedges = true;       ///< decide by shadow planes where they suffice
   bool sampled_lines = true;         ///< try a few sight lines before the portal decision

@@ -37,8 +37,7 @@ public:
   void run()
   {
     traverse();
-    for (std::size_t i = 0; i < open_.size(); ++i)
-      if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
+    if (options_.occlusion == Occlusion::exact) settle_open();
     for (std::size_t i = 0; i < walls_.size(); ++i) settle_feet(walls_[i]);
   }
 
@@ -58,10 +57,16 @@ private:
   void traverse();
   void process(std::uint32_t edge);
   void scan(CrossedEdge const& crossed);
+  void settle_open()
+  {
+    for (std::size_t i = 0; i < open_.size(); ++i)
+      if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
+  }
   void settle(CrossedEdge const& crossed);
   void settle_feet(CrossedEdge const& crossed);
   void insert(CrossedEdge const& crossed);
-  bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines);
+  bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& whole, Funnel const& lines);
+  Edge shrunk(Edge const& edge) const;
 
   bool is_relevant(CrossedEdge const& crossed) const;
   bool holds(Index leaf, Edge const& edge) const
@@ -89,6 +94,12 @@ private:
     for (auto const& v : view.vertices())
       sum = {sum.x + RationalNumber(v.x), sum.y + RationalNumber(v.y), sum.z + RationalNumber(v.z)};
     return {sum.x / n, sum.y / n, sum.z / n};
+  }
+  /// In a simulated method what is not hidden is visible.
+  Find simulated(CrossedEdge const& crossed)
+  {
+    found(crossed, middle_, middle_);
+    return Find::visible;
   }
   /// What is seen over a crossed edge: the wall below it, or the top before it.
   void found(CrossedEdge const& crossed, Point3q const& from, Point3q const& end)
@@ -275,7 +286,9 @@ void Search<A>::scan(CrossedEdge const& crossed)
       return false;
     }
     if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false)) {
-      Find const find = options_.sampled_lines ? sample(leaf, lines, *target) : Find::nothing;
+      Find const find = options_.occlusion == Occlusion::single_wedges ? simulated(crossed)
+                        : options_.sampled_lines                       ? sample(leaf, lines, *target)
+                                                                       : Find::nothing;
       if (find == Find::visible) ++counts_.sampled_visible;
       if (find == Find::blocked) return true;
       is_open |= find == Find::nothing;
@@ -300,17 +313,32 @@ void Search<A>::insert(CrossedEdge const& crossed)
   });
 }
 
+/// The edge shortened at both ends, rounded; degenerate where nothing is left.
+template <Arithmetic A>
+auto Search<A>::shrunk(Edge const& edge) const -> Edge
+{
+  double const length = std::hypot(edge.right.x - edge.left.x, edge.right.y - edge.left.y);
+  auto const moved = [&](Point3d const& from, Point3d const& to) {
+    double const distance = std::hypot(from.x - cell_.centre.x, from.y - cell_.centre.y);
+    double const t = std::min(0.5, options_.occluder_shrink * distance / length);
+    return Point3d{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y), from.z + t * (to.z - from.z)};
+  };
+  return {moved(edge.left, edge.right), moved(edge.right, edge.left)};
+}
+
 /// Divides the leaf by the ends of the edge and adds the edge where it is crossed. Blockers in front of it that it
 /// rises above are redundant for what comes later.
 template <Arithmetic A>
-bool Search<A>::insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& edge, Funnel const& lines)
+bool Search<A>::insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& whole, Funnel const& lines)
 {
   auto const& n = tree_.leaf(leaf);
-  if (holds(leaf, edge)) return false;
-  auto const order = plan_order<A>(gate(cell_.entry(n.entry)), gate(edge));
+  if (holds(leaf, whole)) return false;
+  auto const order = plan_order<A>(gate(cell_.entry(n.entry)), gate(whole));
   if (order == PlanOrder::before || order == PlanOrder::collinear) return false;
+  Edge const edge = options_.occluder_shrink > 0 ? shrunk(whole) : whole;
   leaf = tree_.divide(leaf, horizontal(edge.left), Sign::positive);
-  leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
+  if (leaf != Tree::none) leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
+  if (leaf == Tree::none) return false;
   bool const everywhere = order == PlanOrder::after;
   if (everywhere && options_.penumbra_wedges && !tree_.leaf(leaf).blockers.empty() && cell_.inner.empty()) {
     auto const& part = tree_.leaf(leaf);
@@ -395,6 +423,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
             !is_positive(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(q))) ||
             !is_negative(orient3d<A>(p, q, target.right, target.left)) || !whole.is_exposed(p, q))
           continue;
+        if (options_.occluder_shrink > 0) return simulated(crossed);
         ++counts_.shots;
         auto const blocker = shot_.first_blocker(p, q, crossed);
         if (!blocker) {
@@ -455,7 +484,9 @@ void Search<A>::settle_feet(CrossedEdge const& crossed)
       tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
         if (is_visible_[column.object] || !is_ahead(leaf, edge)) return false;
         ++counts_.decisions;
-        Find const find = decide(leaf, lines, part, foot.column);
+        Find const find = options_.occlusion == Occlusion::single_wedges
+                            ? (is_visible_[column.object] = true, Find::visible)
+                            : decide(leaf, lines, part, foot.column);
         if (find == Find::visible) ++counts_.decided_visible;
         return find == Find::blocked;
       });
@@ -524,7 +555,7 @@ template <class Shoot, class Found>
 auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot,
                         Found const& found_from) -> Find
 {
-  if constexpr (!A::is_exact) return found_from(start), Find::visible;
+  if (!A::is_exact || options_.occluder_shrink > 0) return found_from(start), Find::visible;
   auto const between = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
     return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
   };
