@@ -35,6 +35,13 @@ bool meets_curtain(Point3d const& a, Point3d const& b, Point3q const& from, Poin
   return u >= 0 && u <= 1 && p.z <= R(a.z) + u * (R(b.z) - R(a.z));
 }
 
+bool is_inside(std::span<Point3d const> corners, Point3q const& p)
+{
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    if (turn(corners[i], corners[i + 1 < corners.size() ? i + 1 : 0], p) <= 0) return false;
+  return true;
+}
+
 /// Whether the column meets [from, to).
 bool meets(std::span<Point3d const> corners, bool is_flat, Point3q const& from, Point3q const& to)
 {
@@ -101,6 +108,10 @@ std::optional<Witness> witness(HeightField const& field, FoundLine const& line)
       if (!(at_from > 0 && at_end < 0)) continue;
       to = between(line.from, low, R(at_from / (at_from - at_end)));
     }
+    // Above the ground, where the face of what the column was made from ends.
+    else if (low.z <= field.ground() && line.end.z > field.ground())
+      continue;
+    if (line.sees_top && !is_inside(field.corners(column), to)) continue;
     if (is_free(field, line.from, to)) return Witness{column.object, line.from, to};
   }
   return {};

@@ -282,7 +282,8 @@ void Search<A>::scan(CrossedEdge const& crossed)
     if (is_hidden(leaf, lines, edge, {}, true)) {
       ++counts_.wedge_hidden;
       // What an edge of equal height in the same place hides as an occluder may still be seen.
-      is_open |= is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false);
+      if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false))
+        is_open |= options_.occlusion == Occlusion::exact || simulated(crossed) != Find::visible;
       return false;
     }
     if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false)) {
