@@ -98,8 +98,9 @@ public:
   }
 
   /// Whether blockers hide everything in the box, in whose place there may be anything. May be false although they do.
-  /// Uses in each node the steepest slope up to which all lines are blocked: behind `reach`, a point at distance d from
-  /// the centre of the cell is hidden unless it is higher than top + slope * (d + radius).
+  /// Uses in each node the greatest slope up to which all lines are blocked: beyond `reach`, a point whose distance
+  /// from the centre of the cell is between d and D is hidden unless it is higher than top + slope * (d + radius), with
+  /// D for d if the slope is negative.
   bool hides(Box const& box) const;
 
 private:
@@ -108,20 +109,23 @@ private:
   void walk(PlanGate const& e, Box const& bounds, Visit&& visit) const;
 
   struct Reach {
-    double distance, height;  // least distance from the centre, greatest height
+    double least, greatest;  // distance from the centre
+    double height;           // at most
   };
 
   Reach reach_of(Box const& box) const
   {
     double const dx = std::max(0.0, std::max(box.min.x - cell_.centre.x, cell_.centre.x - box.max.x));
     double const dy = std::max(0.0, std::max(box.min.y - cell_.centre.y, cell_.centre.y - box.max.y));
-    return {std::sqrt(dx * dx + dy * dy) * (1 - 0x1p-48), box.max.z};
+    double const fx = std::max(std::fabs(box.min.x - cell_.centre.x), std::fabs(box.max.x - cell_.centre.x));
+    double const fy = std::max(std::fabs(box.min.y - cell_.centre.y), std::fabs(box.max.y - cell_.centre.y));
+    return {std::sqrt(dx * dx + dy * dy) * (1 - 0x1p-48), std::sqrt(fx * fx + fy * fy) * (1 + 0x1p-48), box.max.z};
   }
   bool is_below_slope(Node const& n, Reach const& r) const
   {
-    if (!(n.slope > 0) || r.distance < n.reach) return false;
-    double const rise = n.slope * (r.distance + cell_.radius);
-    return r.height <= cell_.top + rise - 0x1p-48 * (std::fabs(cell_.top) + rise);
+    if (r.least < n.reach) return false;
+    double const rise = n.slope * ((n.slope > 0 ? r.least : r.greatest) + cell_.radius);
+    return r.height <= cell_.top + rise - 0x1p-48 * (std::fabs(cell_.top) + std::fabs(rise));
   }
   bool is_behind(std::size_t exit, Box const& box) const;
   static Funnel crossing(Funnel const& lines, PlanGate const& e)
@@ -130,6 +134,10 @@ private:
     return part.empty() ? part : part.with<A>(e.right, Sign::negative);
   }
 
+  struct Slope {
+    double slope, reach;
+  };
+  Slope slope_over(Funnel const& lines, Blocker const& blocker) const;
   void update(Index leaf);
 
   CellOutline const& cell_;
@@ -164,31 +172,54 @@ auto OcclusionTree<A>::divide(Index node, Point2d const& point, Sign side) -> In
   return side == Sign::positive ? child : child + 1;
 }
 
+/// The lowest sight line over a blocker at distance F and height h reaches, at distance d, the height
+///   top + (h - top) (d + radius) / (F + radius)  if it rises, from the far side of the cell, and at least
+///   top + (h - top) (d + radius) / (F - radius)  if it falls, from the near side.
+/// proofs/exact_2_5d.md.
+template <Arithmetic A>
+auto OcclusionTree<A>::slope_over(Funnel const& lines, Blocker const& b) const -> Slope
+{
+  EdgeRange const r = crossed_range(lines, gate(b.edge));
+  auto const at = [](double l, double h, double t) { return l + t * (h - l); };
+  double const x0 = at(b.edge.left.x, b.edge.right.x, r.low) - cell_.centre.x;
+  double const y0 = at(b.edge.left.y, b.edge.right.y, r.low) - cell_.centre.y;
+  double const x1 = at(b.edge.left.x, b.edge.right.x, r.high) - cell_.centre.x;
+  double const y1 = at(b.edge.left.y, b.edge.right.y, r.high) - cell_.centre.y;
+  auto const size = [](double u, double v) { return std::fabs(u) + std::fabs(v); };
+  double const scale =
+    size(b.edge.left.x, b.edge.right.x) + size(b.edge.left.y, b.edge.right.y) + size(cell_.centre.x, cell_.centre.y);
+  double const room = 0x1p-48 * scale;
+  double const far = std::sqrt(std::max(x0 * x0 + y0 * y0, x1 * x1 + y1 * y1)) * (1 + 0x1p-50) + room;
+  double const low = std::min(at(b.edge.left.z, b.edge.right.z, r.low), at(b.edge.left.z, b.edge.right.z, r.high)) -
+                     0x1p-48 * size(b.edge.left.z, b.edge.right.z);
+  double const rise = low - cell_.top - 0x1p-50 * size(low, cell_.top);
+  Slope out{-HUGE_VAL, std::max(far, cell_.radius)};
+  if (rise > 0) {
+    out.slope = rise / (far + cell_.radius) * (1 - 0x1p-48);
+  } else {
+    // The point of the crossed part that is nearest to the centre.
+    double const dx = x1 - x0, dy = y1 - y0, length = dx * dx + dy * dy;
+    double const t = length > 0 ? std::clamp(-(x0 * dx + y0 * dy) / length, 0.0, 1.0) : 0;
+    double const near = std::hypot(x0 + t * dx, y0 + t * dy) * (1 - 0x1p-40) - room - cell_.radius;
+    if (near > 0) out.slope = rise / near * (1 + 0x1p-48);
+  }
+  return out;
+}
+
 /// Computes the slope of a leaf and passes it on to the nodes above.
 template <Arithmetic A>
 void OcclusionTree<A>::update(Index node)
 {
   Node& n = nodes_[node];
   Leaf const& l = leaf(node);
-  n.slope = 0;
+  n.slope = -HUGE_VAL;
   n.reach = HUGE_VAL;
   for (auto const& b : l.blockers) {
     if (!b.everywhere) continue;
-    EdgeRange const r = crossed_range(l.lines, gate(b.edge));
-    double far = 0, height = std::numeric_limits<double>::infinity();
-    for (double const t : {r.low, r.high}) {
-      double const x = b.edge.left.x + t * (b.edge.right.x - b.edge.left.x);
-      double const y = b.edge.left.y + t * (b.edge.right.y - b.edge.left.y);
-      double const scale =
-        std::fabs(b.edge.left.x) + std::fabs(b.edge.right.x) + std::fabs(b.edge.left.y) + std::fabs(b.edge.right.y);
-      far = std::max(far, std::hypot(x - cell_.centre.x, y - cell_.centre.y) + 0x1p-48 * scale);
-      height = std::min(height, b.edge.left.z + t * (b.edge.right.z - b.edge.left.z) -
-                                  0x1p-48 * (std::fabs(b.edge.left.z) + std::fabs(b.edge.right.z)));
-    }
-    double const slope = (height - cell_.top) / (far + cell_.radius) * (1 - 0x1p-48);
-    if (slope > n.slope) {
-      n.slope = slope;
-      n.reach = std::max(far, cell_.radius) * (1 + 0x1p-48);
+    Slope const s = slope_over(l.lines, b);
+    if (s.slope > n.slope) {
+      n.slope = s.slope;
+      n.reach = s.reach;
     }
   }
   for (Index i = n.parent; i != none; i = nodes_[i].parent) {
