@@ -22,15 +22,32 @@ struct Counts {
 /// Denominators that no coordinate has.
 NT random_parameter(Random& random) { return NT(random.between(1, 10'006), 10'007); }
 
+/// Pairs of boxes that share a wall, on a small grid: others stand along the walls within.
+std::vector<Shape> doubled_boxes(Random& random, int count)
+{
+  std::vector<Shape> shapes;
+  for (int i = 0; i < count; ++i) {
+    Box a = grid_box(random, 0, 4);
+    a.min.z = 0;
+    a.max.z = random.between(1, 4);
+    Box b = a;
+    b.min.x = a.max.x;
+    b.max.x += random.between(1, 2);
+    shapes.push_back({{a, b}, {}, {}, {}});
+  }
+  return shapes;
+}
+
 /// All scenes of this file: objects of all kinds on a grid, and boxes or slanted columns that overlap.
 Scene random_scene(Random& random)
 {
   int const n = random.between(3, 12);
-  switch (random.below(6)) {
+  switch (random.below(7)) {
   case 0: return height_case(random, HeightScene::grid, n).scene;
   case 1: return height_case(random, HeightScene::slanted_grid, n).scene;
   case 2: return height_case(random, HeightScene::general, n).scene;
   case 3: return height_case(random, HeightScene::slanted, n).scene;
+  case 4: return scene_of(doubled_boxes(random, n));
   default: return scene_of(random_shapes(random, n, random.between(3, 6)));
   }
 }
