@@ -1,4 +1,5 @@
-#include "visibility/predicates/orient2d.hpp"
+#include "polygon_sides.hpp"
+
 #include "visibility/predicates/orient3d.hpp"
 #include "visibility/scene/seams.hpp"
 
@@ -10,43 +11,8 @@ namespace visibility {
 
 namespace {
 
+using namespace height_field;
 using Column = HeightField::Column;
-using Corners = std::span<Point3d const>;
-
-bool are_zero(Sign s, Sign t) { return is_zero(s) && is_zero(t); }
-bool nowhere_positive(Sign s, Sign t) { return !is_positive(s) && !is_positive(t); }
-
-/// Calls visit(p, q) for the sides of a polygon until it returns true. Returns whether it did.
-template <class Visit>
-bool any_side(Corners corners, Visit&& visit)
-{
-  for (std::size_t i = corners.size() - 1, j = 0; j < corners.size(); i = j++)
-    if (visit(corners[i], corners[j])) return true;
-  return false;
-}
-
-/// Where a point stands to the directed line of a side, in plan.
-Sign side_of(Point3d const& p, Point3d const& q, Point3d const& r)
-{
-  return orient2d<Filtered>(horizontal(p), horizontal(q), horizontal(r));
-}
-
-/// Whether the line of a side of the polygon has the segment on its outside, touching it or not.
-bool has_outside(Corners corners, Point3d const& a, Point3d const& b)
-{
-  return any_side(corners, [&](Point3d const& p, Point3d const& q) {
-    Sign const at_a = side_of(p, q, a), at_b = side_of(p, q, b);
-    return nowhere_positive(at_a, at_b) && !are_zero(at_a, at_b);
-  });
-}
-
-/// Whether the line of a side of `c` separates the polygon `d` from it, touching it or not.
-bool separates(Corners c, Corners d)
-{
-  return any_side(c, [&](Point3d const& p, Point3d const& q) {
-    return std::ranges::none_of(d, [&](Point3d const& r) { return is_positive(side_of(p, q, r)); });
-  });
-}
 
 Box box_of(Corners points)
 {
@@ -114,13 +80,9 @@ private:
     double const top = std::max(a.z, b.z);
     if (std::ranges::all_of(polygon, [&](Point3d const& p) { return p.z >= top; })) return false;
     if (!is_negative(rise(s, a)) && !is_negative(rise(s, b))) return false;
-    bool in_front = false, behind = false;
-    for (auto const& p : polygon) {
-      Sign const side = side_of(a, b, p);
-      in_front |= side == near;
-      behind |= side == -near;
-    }
-    if (!in_front || (!behind && !has_open_sides(s)) || has_outside(polygon, a, b)) return false;
+    bool const behind = has_corner_beside(polygon, a, b, -near);
+    if (!behind && !has_open_sides(s)) return false;
+    if (!has_corner_beside(polygon, a, b, near) || has_outside(polygon, a, b)) return false;
     return behind || any_side(polygon, [&, &a = a, &b = b](Point3d const& p, Point3d const& q) {
              return are_zero(side_of(a, b, p), side_of(a, b, q)) && is_open(s, p, q);
            });

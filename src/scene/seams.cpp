@@ -1,7 +1,6 @@
 #include "visibility/scene/seams.hpp"
 
-#include "visibility/kernel/number_types.hpp"
-#include "visibility/kernel/sign.hpp"
+#include "polygon_sides.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -12,9 +11,9 @@ namespace visibility {
 
 namespace {
 
+using namespace height_field;
 using NT = RationalNumber;
 using Column = HeightField::Column;
-using Corners = std::span<Point3d const>;
 
 /// The height x a + y b + c.
 struct Plane {
@@ -70,9 +69,8 @@ public:
       p_ = {-rise.c * rise.a / square, -rise.c * rise.b / square};
       q_ = {p_.x + rise.b, p_.y - rise.a};
     } else {
-      auto const& e = field.edges()[seam.edge];
-      p_ = horizontal(exact(seam.from_left ? e.b : e.a));
-      q_ = horizontal(exact(seam.from_left ? e.a : e.b));
+      p_ = horizontal(exact(left()));
+      q_ = horizontal(exact(right()));
     }
   }
 
@@ -85,9 +83,7 @@ public:
       clip(range, f_);
     } else {
       range = {NT(0), NT(1)};
-      auto const& e = field_.edges()[seam_.edge];
-      Point3d const &left = seam_.from_left ? e.b : e.a, &right = seam_.from_left ? e.a : e.b;
-      NT const at_0 = NT(left.z) - top_.over(p_), at_1 = NT(right.z) - top_.over(q_);
+      NT const at_0 = NT(left().z) - top_.over(p_), at_1 = NT(right().z) - top_.over(q_);
       if (at_0 == 0 && at_1 == 0) return {{}, {}, true};
       range.clip(at_0, at_1);
     }
@@ -99,7 +95,7 @@ public:
   /// Where the column covers S's top just before the line.
   Range covered_by(Column const& g) const
   {
-    if (&g == &s_ || g.is_curtain() || !has_area_beside(g, Sign::negative)) return {{}, {}, true};
+    if (&g == &s_ || g.is_curtain() || !has_area_beside(g, Sign::negative) || is_beyond_edge(g)) return {{}, {}, true};
     Plane const rise = top_plane(field_, g) - top_;
     NT const at_0 = rise.over(p_), at_1 = rise.over(q_);
     Range range;
@@ -120,10 +116,23 @@ public:
 private:
   bool has_area_beside(Column const& column, Sign beside) const
   {
-    return std::ranges::any_of(field_.corners(column), [&](Point3d const& c) {
+    Corners const corners = field_.corners(column);
+    if (!seam_.is_crease()) return has_corner_beside(corners, left(), right(), beside);
+    return std::ranges::any_of(corners, [&](Point3d const& c) {
       return sign_of(side(p_, q_, {NT(c.x), NT(c.y)})) == beside;
     });
   }
+
+  /// Whether signs show that a foot has no part over the column: saves numbers.
+  bool is_beyond_edge(Column const& column) const
+  {
+    return !seam_.is_crease() && has_outside(field_.corners(column), left(), right());
+  }
+
+  /// Of a foot.
+  HeightField::TopEdge const& edge() const { return field_.edges()[seam_.edge]; }
+  Point3d const& left() const { return seam_.from_left ? edge().b : edge().a; }
+  Point3d const& right() const { return seam_.from_left ? edge().a : edge().b; }
 
   /// Keeps what lies in the closed polygon.
   void clip(Range& range, Column const& column) const
@@ -171,10 +180,14 @@ std::vector<SeamPart> exposed_parts(HeightField const& field, Seam const& seam)
   NT const low = *range.low, high = *range.high;
   using Interval = std::pair<NT, NT>;
   std::vector<Interval> covered;
-  field.column_hierarchy().any_item_meeting(reach(line.on_top(low), line.on_top(high)), [&](std::uint32_t g) {
-    if (Range const r = line.covered_by(field.columns()[g]); r.has_length()) covered.emplace_back(*r.low, *r.high);
-    return false;
+  Box const box = reach(line.on_top(low), line.on_top(high));
+  bool const everywhere = field.column_hierarchy().any_item_meeting(box, [&](std::uint32_t g) {
+    Range const r = line.covered_by(field.columns()[g]);
+    if (!r.has_length()) return false;
+    covered.emplace_back(*r.low, *r.high);
+    return *r.low <= low && high <= *r.high;
   });
+  if (everywhere) return {};
   std::ranges::sort(covered, {}, &Interval::first);
   std::vector<SeamPart> parts;
   NT end = low;
