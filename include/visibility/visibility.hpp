@@ -52,6 +52,7 @@
 #include "visibility/scene/scene.hpp"
 #include "visibility/scene/scene_builder.hpp"
 #include "visibility/scene/scene_report.hpp"
+#include "visibility/scene/seams.hpp"
 #include "visibility/scene/segment_probe.hpp"
 #include "visibility/scene/view_cell.hpp"
 #include "visibility/scene/write_scene.hpp"

@@ -3,6 +3,7 @@
 #include "height_field_columns.hpp"
 
 #include "visibility/scene/scene_builder.hpp"
+#include "visibility/scene/seams.hpp"
 
 #include <algorithm>
 
@@ -54,6 +55,9 @@ HeightField::HeightField(Scene const& scene) : scene_(&scene)
   }
   edge_hierarchy_ = BoundingHierarchy(edge_bounds);
   column_hierarchy_ = BoundingHierarchy(column_bounds);
+  seams_ = find_seams(*this);
+  seam_bounds_.reserve(seams_.size());
+  for (auto const& s : seams_) seam_bounds_.push_back(bounds(*this, s));
 }
 
 }  // namespace visibility

@@ -3,11 +3,26 @@
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/scene.hpp"
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace visibility {
+
+/// A pair of columns of different objects whose tops meet within the plan of the first, S: past the seam the top of the
+/// second, F, is the higher one. It is a *foot* where an edge of F stands on S's top (from the left of the edge F's
+/// inside, from the right S), a *crease* where the two top planes cross. S's top is seen just before the seam along
+/// sight lines that run on to F's side. scene/seams.hpp has the parts where nothing else covers S there.
+struct Seam {
+  static constexpr std::uint32_t no_edge = 0xffffffff;
+  std::uint32_t column;  ///< S
+  std::uint32_t other;   ///< F
+  std::uint32_t edge;    ///< of F, a foot; no_edge: a crease
+  bool from_left;        ///< S is seen on the left of the edge a -> b of a curtain; otherwise false
+  auto operator<=>(Seam const&) const = default;
+  bool is_crease() const { return edge == no_edge; }
+};
 
 /// A 2.5D scene: columns, each a convex polygon in plan with a planar top, solid from the top down without end, and the
 /// edges of their tops. A sight line that stays above all top edges that it crosses in plan stays above all columns.
@@ -52,6 +67,11 @@ public:
   /// Items: positions in columns(). Bounds are those of the columns, down without end.
   BoundingHierarchy const& column_hierarchy() const { return column_hierarchy_; }
 
+  /// Where the top of a column ends at that of another object, inside its plan. In the order of find_seams().
+  std::span<Seam const> seams() const { return seams_; }
+  /// Boxes that contain the parts of the seams, up to the lower of the two tops; position by position.
+  std::span<Box const> seam_bounds() const { return seam_bounds_; }
+
   double ground() const { return ground_; }  ///< least height in the scene
   /// Objects of which some solid or vertical face ends above the ground: sight lines may pass below it, which a height
   /// field does not know.
@@ -65,6 +85,8 @@ private:
   std::vector<Column> columns_;
   std::vector<TopEdge> edges_;
   BoundingHierarchy edge_hierarchy_, column_hierarchy_;
+  std::vector<Seam> seams_;
+  std::vector<Box> seam_bounds_;
   double ground_ = 0;
   std::size_t raised_ = 0, invalid_footprints_ = 0;
 };

@@ -1,0 +1,205 @@
+#include "visibility/scene/seams.hpp"
+
+#include "polygon_sides.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace visibility {
+
+namespace {
+
+using namespace height_field;
+using NT = RationalNumber;
+using Column = HeightField::Column;
+
+/// The height x a + y b + c.
+struct Plane {
+  NT a, b, c;
+  NT over(Point2q const& p) const { return a * p.x + b * p.y + c; }
+};
+Plane operator-(Plane const& p, Plane const& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
+
+/// A column that is not flat is a triangle.
+Plane top_plane(HeightField const& field, Column const& column)
+{
+  Corners const corners = field.corners(column);
+  if (column.is_flat) return {0, 0, NT(corners[0].z)};
+  auto const o = exact(corners[0]), p = exact(corners[1]), q = exact(corners[2]);
+  NT const px = p.x - o.x, py = p.y - o.y, pz = p.z - o.z, qx = q.x - o.x, qy = q.y - o.y, qz = q.z - o.z;
+  NT const area = px * qy - py * qx;
+  NT const a = (pz * qy - py * qz) / area, b = (px * qz - pz * qx) / area;
+  return {a, b, o.z - a * o.x - b * o.y};
+}
+
+/// What remains of a line's parameters t while it is clipped; an end that is not set is at infinity.
+struct Range {
+  std::optional<NT> low, high;
+  bool is_empty = false;
+
+  /// Keeps where the linear function with these values at t = 0 and t = 1 is not negative.
+  void clip(NT const& at_0, NT const& at_1)
+  {
+    if (at_0 == at_1) {
+      is_empty |= at_0 < 0;
+      return;
+    }
+    NT t = at_0 / (at_0 - at_1);
+    if (at_0 < at_1) {
+      if (!low || *low < t) low = std::move(t);
+    } else {
+      if (!high || t < *high) high = std::move(t);
+    }
+  }
+  bool has_length() const { return !is_empty && !(low && high && *low >= *high); }
+};
+
+/// The line of a seam in plan, directed from left to right as seen from the side of S, which is its right side.
+class SeamLine {
+public:
+  SeamLine(HeightField const& field, Seam const& seam)
+    : field_(field), seam_(seam), s_(field.columns()[seam.column]), f_(field.columns()[seam.other]),
+      top_(top_plane(field, s_))
+  {
+    if (seam.is_crease()) {
+      Plane const rise = top_plane(field, f_) - top_;
+      NT const square = rise.a * rise.a + rise.b * rise.b;  // positive: the planes cross
+      p_ = {-rise.c * rise.a / square, -rise.c * rise.b / square};
+      q_ = {p_.x + rise.b, p_.y - rise.a};
+    } else {
+      p_ = horizontal(exact(left()));
+      q_ = horizontal(exact(right()));
+    }
+  }
+
+  /// Where S lies just before the line and F, higher, just behind.
+  Range range() const
+  {
+    Range range;
+    if (seam_.is_crease()) {
+      if (!has_area_beside(f_, Sign::positive)) return {{}, {}, true};
+      clip(range, f_);
+    } else {
+      range = {NT(0), NT(1)};
+      NT const at_0 = NT(left().z) - top_.over(p_), at_1 = NT(right().z) - top_.over(q_);
+      if (at_0 == 0 && at_1 == 0) return {{}, {}, true};
+      range.clip(at_0, at_1);
+    }
+    if (!has_area_beside(s_, Sign::negative)) return {{}, {}, true};
+    clip(range, s_);
+    return range;
+  }
+
+  /// Where the column covers S's top just before the line.
+  Range covered_by(Column const& g) const
+  {
+    if (&g == &s_ || g.is_curtain() || !has_area_beside(g, Sign::negative) || is_beyond_edge(g)) return {{}, {}, true};
+    Plane const rise = top_plane(field_, g) - top_;
+    NT const at_0 = rise.over(p_), at_1 = rise.over(q_);
+    Range range;
+    if (at_0 == 0 && at_1 == 0)  // rising towards the right?
+      range.is_empty = rise.a * (q_.y - p_.y) <= rise.b * (q_.x - p_.x);
+    else
+      range.clip(at_0, at_1);
+    if (range.has_length()) clip(range, g);
+    return range;
+  }
+
+  Point3q on_top(NT const& t) const
+  {
+    Point2q const p{p_.x + t * (q_.x - p_.x), p_.y + t * (q_.y - p_.y)};
+    return {p.x, p.y, top_.over(p)};
+  }
+
+private:
+  bool has_area_beside(Column const& column, Sign beside) const
+  {
+    Corners const corners = field_.corners(column);
+    if (!seam_.is_crease()) return has_corner_beside(corners, left(), right(), beside);
+    return std::ranges::any_of(corners, [&](Point3d const& c) {
+      return sign_of(side(p_, q_, {NT(c.x), NT(c.y)})) == beside;
+    });
+  }
+
+  /// Whether signs show that a foot has no part over the column: saves numbers.
+  bool is_beyond_edge(Column const& column) const
+  {
+    return !seam_.is_crease() && has_outside(field_.corners(column), left(), right());
+  }
+
+  /// Of a foot.
+  HeightField::TopEdge const& edge() const { return field_.edges()[seam_.edge]; }
+  Point3d const& left() const { return seam_.from_left ? edge().b : edge().a; }
+  Point3d const& right() const { return seam_.from_left ? edge().a : edge().b; }
+
+  /// Keeps what lies in the closed polygon.
+  void clip(Range& range, Column const& column) const
+  {
+    Corners const corners = field_.corners(column);
+    for (std::size_t i = corners.size() - 1, j = 0; j < corners.size() && !range.is_empty; i = j++) {
+      Point2q const c = horizontal(exact(corners[i])), d = horizontal(exact(corners[j]));
+      range.clip(side(c, d, p_), side(c, d, q_));
+    }
+  }
+
+  /// Twice the area of the triangle; positive: r lies to the left of p -> q.
+  static NT side(Point2q const& p, Point2q const& q, Point2q const& r)
+  {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  }
+
+  HeightField const& field_;
+  Seam const& seam_;
+  Column const &s_, &f_;
+  Plane top_;  ///< of S
+  Point2q p_, q_;
+};
+
+/// All columns that are as high as one of the points and whose boxes meet that of the two in plan meet this box.
+Box reach(Point3q const& p, Point3q const& q)
+{
+  Box box;
+  for (auto const& r : {p, q}) {
+    auto const x = CGAL::to_interval(r.x), y = CGAL::to_interval(r.y), z = CGAL::to_interval(r.z);
+    box.extend(Point3d{x.first, y.first, z.first});
+    box.extend(Point3d{x.second, y.second, z.second});
+  }
+  box.max.z = std::numeric_limits<double>::infinity();
+  return box;
+}
+
+}  // namespace
+
+std::vector<SeamPart> exposed_parts(HeightField const& field, Seam const& seam)
+{
+  SeamLine const line(field, seam);
+  Range const range = line.range();
+  if (!range.has_length()) return {};
+  NT const low = *range.low, high = *range.high;
+  using Interval = std::pair<NT, NT>;
+  std::vector<Interval> covered;
+  Box const box = reach(line.on_top(low), line.on_top(high));
+  bool const everywhere = field.column_hierarchy().any_item_meeting(box, [&](std::uint32_t g) {
+    Range const r = line.covered_by(field.columns()[g]);
+    if (!r.has_length()) return false;
+    covered.emplace_back(*r.low, *r.high);
+    return *r.low <= low && high <= *r.high;
+  });
+  if (everywhere) return {};
+  std::ranges::sort(covered, {}, &Interval::first);
+  std::vector<SeamPart> parts;
+  NT end = low;
+  auto const expose = [&](NT const& until) {
+    if (end < until) parts.push_back({line.on_top(end), line.on_top(until)});
+  };
+  for (auto const& [first, last] : covered) {
+    expose(std::min(first, high));
+    if (end < last) end = last;
+  }
+  expose(high);
+  return parts;
+}
+
+}  // namespace visibility
