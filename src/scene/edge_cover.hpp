@@ -64,19 +64,6 @@ public:
     return covered;
   }
 
-  /// Where the column has area on that side and its top is lower; empty: nowhere, or only in points.
-  std::optional<ClosedInterval> lower(std::uint32_t column) const
-  {
-    Column const& f = field_.columns()[column];
-    if (column == column_ || f.is_curtain()) return {};
-    Sign const at_a = rise(f, a_), at_b = rise(f, b_);
-    if (nowhere_positive(-at_a, -at_b) || area_beside(field_.corners(f)) == Extent::nowhere) return {};
-    ClosedInterval range;
-    clip(range, field_.corners(f));
-    if (changes(at_a, at_b)) clip(range, -at_a, -exact_rise(f, a_), -exact_rise(f, b_));
-    return range.has_length() ? std::optional(range) : std::nullopt;
-  }
-
 private:
   static decltype(auto) in(Point3d const& p)
   {

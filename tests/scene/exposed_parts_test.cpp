@@ -7,7 +7,6 @@
 #include "visibility/scene/generators.hpp"
 
 #include <map>
-#include <set>
 
 using namespace visibility;
 using namespace visibility::test;
@@ -89,26 +88,6 @@ bool has_edge_along(HeightField const& field, std::uint32_t column, HeightField:
   return std::ranges::any_of(field.edges(), [&](auto const& f) {
     return f.column == column && on_line(f.a) && on_line(f.b) && (along(f.a) - t) * (along(f.b) - t) < 0;
   });
-}
-
-/// The columns of other objects that are highest just before a point of the edge, and lower than it. `abutting`: those
-/// that have an edge of their own there instead.
-std::set<std::uint32_t> feet_at(HeightField const& field, std::uint32_t edge, Crossing crossing, NT const& t,
-                                bool abutting)
-{
-  auto const& e = field.edges()[edge];
-  Beside const p(e, crossing, t), behind(e, crossing == Crossing::entering ? Crossing::leaving : Crossing::entering, t);
-  auto const highest = surface_over(field, p.at);
-  std::set<std::uint32_t> out;
-  if (!highest || *highest >= p.height - NT(0x1p-100)) return out;
-  for (std::uint32_t i = 0; i < field.columns().size(); ++i) {
-    auto const& c = field.columns()[i];
-    if (!c.is_curtain() && c.object != field.object_of(e) && contains(field, c, p.at) &&
-        top_over(field, c, p.at) == *highest &&
-        abutting == (!contains(field, c, behind.at) && has_edge_along(field, i, e, t)))
-      out.insert(i);
-  }
-  return out;
 }
 
 /// What is exposed of every edge, by object, column, edge and crossing. Columns that coincide must agree.
@@ -261,118 +240,4 @@ TEST_CASE("exposed parts: inside a part iff no column covers the point", "[scene
   }
   REQUIRE(covered > 100);
   REQUIRE(partly > 100);
-}
-
-TEST_CASE("exposed feet: the highest top of another object in front of a wall", "[scene]")
-{
-  auto const feet = [](std::vector<Shape> others) {
-    others.insert(others.begin(), house);
-    Scene const scene = scene_of(others);
-    HeightField const field(scene);
-    std::vector<std::pair<std::uint32_t, Parts>> out;  // by object: each has one column
-    for (auto const& f : exposed_feet(field, edge_at(field, 0, {0, 0, 5}, {10, 0, 5}), Crossing::entering))
-      out.emplace_back(field.columns()[f.column].object, f.parts);
-    return out;
-  };
-  using Feet = std::vector<std::pair<std::uint32_t, Parts>>;
-  REQUIRE(feet({}).empty());
-  REQUIRE(feet({box(-5, -5, 15, 15, 5)}).empty());              // as high as the wall
-  REQUIRE(feet({box(0, -4, 10, 0, 2)}).empty());                // its own edge is there
-  REQUIRE(feet({box(0, 0, 10, 9, 2)}).empty());                 // behind it
-  REQUIRE(feet({box(-5, -5, 15, 15, 2)}) == Feet{{1, whole}});  // the wall of a tower on a roof
-  REQUIRE(feet({box(-5, -5, 15, 15, 2), box(-5, -5, 15, 15, 2)}) == Feet{{1, whole}, {2, whole}});
-  REQUIRE(feet({box(-5, -5, 4, 15, 2), box(2, -5, 15, 15, 3)}) ==
-          Feet{{1, {{NT(0), NT(1, 5)}}}, {2, {{NT(1, 5), NT(1)}}}});  // the higher one hides the lower
-  REQUIRE(feet({box(-5, -5, 15, 15, 2), box(2, -5, 3, 0, 9)}) == Feet{{1, {{NT(0), NT(1, 5)}, {NT(3, 10), NT(1)}}}});
-  Shape tower = house;
-  tower.boxes.push_back({{-5, -5, 0}, {15, 15, 2}});
-  Scene const scene = scene_of({tower});
-  HeightField const field(scene);
-  REQUIRE(exposed_feet(field, edge_at(field, 0, {0, 0, 5}, {10, 0, 5}), Crossing::entering).empty());
-}
-
-TEST_CASE("exposed feet: a part iff the column is highest just before the point", "[scene][oracle]")
-{
-  int found = 0, mixed = 0;
-  for (int seed = 1; seed <= trials(60); ++seed) {
-    CAPTURE(seed);
-    Random random(static_cast<std::uint64_t>(seed) + 2000);
-    Scene const scene = scene_of(random_shapes(random, random.between(2, 12), random.between(3, 8)));
-    HeightField const field(scene);
-    for (std::uint32_t i = 0; i < field.edges().size(); ++i)
-      for (auto const crossing : {Crossing::entering, Crossing::leaving}) {
-        if (crossing == Crossing::leaving && !field.columns()[field.edges()[i].column].is_curtain()) continue;
-        auto const feet = exposed_feet(field, i, crossing), reference = exposed_feet<Rational>(field, i, crossing);
-        REQUIRE(feet.size() == reference.size());
-        for (std::size_t k = 0; k < feet.size(); ++k) {
-          REQUIRE(feet[k].column == reference[k].column);
-          REQUIRE(feet[k].parts == reference[k].parts);
-        }
-        for (int k = 0; k < 3; ++k) {
-          NT const t(random.between(1, 10'006), 10'007);
-          std::set<std::uint32_t> here;
-          for (auto const& f : feet)
-            for (auto const& p : f.parts)
-              if (p.low < t && t < p.high) here.insert(f.column);
-          CAPTURE(i, int(crossing), CGAL::to_double(t));
-          auto const expected = feet_at(field, i, crossing, t, false), others = feet_at(field, i, crossing, t, true);
-          REQUIRE(std::ranges::includes(here, expected));
-          // An abutting column may have its foot where another of its collinear sides is no edge.
-          for (auto const c : here) REQUIRE((expected.contains(c) || others.contains(c)));
-          mixed += here.size() > expected.size();
-          found += !here.empty();
-        }
-      }
-  }
-  REQUIRE(found > 100);
-  REQUIRE(mixed < found / 20);
-}
-
-TEST_CASE("exposed parts: laws of order, rotation and split", "[scene][law]")
-{
-  int common = 0;
-  for (int seed = 1; seed <= trials(60); ++seed) {
-    CAPTURE(seed);
-    Random random(static_cast<std::uint64_t>(seed) + 1000);
-    auto const shapes = random_shapes(random, random.between(2, 10), random.between(3, 6));
-    Scene const scene = scene_of(shapes);
-    HeightField const field(scene);
-    Table const expected = table(field);
-
-    Scene reversed = scene;
-    std::ranges::reverse(reversed.objects);
-    REQUIRE(compare_common(expected, table(HeightField(reversed))) == static_cast<int>(expected.size()));
-
-    Scene rotated = scene;
-    for (auto& t : rotated.triangles) std::ranges::rotate(t, t.begin() + random.below(3));
-    REQUIRE(compare_common(expected, table(HeightField(rotated))) == static_cast<int>(expected.size()));
-
-    // Boxes and triangles cut in two; the edges of the other objects, and the uncut ones of these, stay what they are.
-    auto split = shapes;
-    for (auto& shape : split) {
-      if (random.chance(0.3)) continue;
-      for (std::size_t i = 0, n = shape.boxes.size(); i < n; ++i) {
-        double const x = shape.boxes[i].min.x + 1;
-        shape.boxes.push_back(shape.boxes[i]);
-        shape.boxes[i].max.x = shape.boxes.back().min.x = x;
-      }
-      for (std::size_t i = 0, n = shape.triangles.size(); i < n; ++i) {
-        auto& [a, b, c] = shape.triangles[i].vertices;
-        Point3d const m{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
-        shape.triangles.push_back({{m, b, c}});
-        shape.triangles[i].vertices[1] = m;
-      }
-    }
-    Scene const cut = scene_of(split);
-    common += compare_common(expected, table(HeightField(cut)));
-  }
-  REQUIRE(common > 1000);
-}
-
-TEST_CASE("exposed parts: in a city of separate boxes every edge is exposed but where towers stand flush", "[scene]")
-{
-  Scene const scene = generate("city,n=400");
-  HeightField const field(scene);
-  for (std::uint32_t i = 0; i < field.edges().size(); ++i)
-    for (auto const crossing : {Crossing::entering, Crossing::leaving}) REQUIRE(exposed_parts(field, i, crossing).all);
 }

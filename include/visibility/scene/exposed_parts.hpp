@@ -44,20 +44,4 @@ struct ExposedParts {
 template <Arithmetic A = Filtered>
 ExposedParts exposed_parts(HeightField const& field, std::uint32_t edge, Crossing crossing);
 
-/// Where the top of a column of another object meets the wall below an edge.
-struct Foot {
-  std::uint32_t column;             ///< that of the top
-  std::vector<OpenInterval> parts;  ///< of the edge, in plan; the height is that of the column's top
-};
-
-/// The tops of other objects that a sight line sees last before it reaches the wall below the edge, which it crosses as
-/// if entering: from the right, or from the left for a curtain that it is `leaving`. A column G has its foot there
-/// where it has area on the side from which the line comes, G's top is lower than the edge, and no other column is
-/// higher than G just before the edge. Left out is a G that ends there with edges of its own, a neighbour that abuts:
-/// they show the same. Where columns of different objects overlap in plan, an object may be visible only so
-/// (proofs/height_field_edges.md). Ordered by column.
-/// Requires: as exposed_parts; `leaving` only for a curtain.
-template <Arithmetic A = Filtered>
-std::vector<Foot> exposed_feet(HeightField const& field, std::uint32_t edge, Crossing crossing);
-
 }  // namespace visibility

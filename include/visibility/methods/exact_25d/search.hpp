@@ -6,9 +6,9 @@
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
-#include "visibility/methods/exact_25d/seam.hpp"
 #include "visibility/methods/exact_25d/sight_line.hpp"
 #include "visibility/methods/exact_25d/target.hpp"
+#include "visibility/scene/seams.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -38,7 +38,7 @@ public:
   {
     traverse();
     if (options_.occlusion == Occlusion::exact) settle_open();
-    for (std::size_t i = 0; i < walls_.size(); ++i) settle_feet(walls_[i]);
+    for (std::size_t i = 0; i < field_.seams().size(); ++i) settle(field_.seams()[i], field_.seam_bounds()[i]);
   }
 
   std::vector<bool> const& is_visible() const { return is_visible_; }
@@ -63,7 +63,7 @@ private:
       if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
   }
   void settle(CrossedEdge const& crossed);
-  void settle_feet(CrossedEdge const& crossed);
+  void settle(Seam const& seam, Box const& bounds);
   void insert(CrossedEdge const& crossed);
   bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& whole, Funnel const& lines);
   Edge shrunk(Edge const& edge) const;
@@ -121,8 +121,7 @@ private:
   CellContacts contacts_;
   SceneShot<A> shot_;
   std::vector<bool> is_visible_;
-  std::vector<CrossedEdge> walls_;  // all that were not certainly hidden
-  std::vector<CrossedEdge> open_;   // neither hidden nor seen when their turn came
+  std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
   std::vector<FoundLine> lines_;
   Point3q middle_;  // in the interior of the cell
   Point3d near_middle_;
@@ -170,10 +169,7 @@ void Search<A>::process(std::uint32_t edge)
 {
   if (std::ranges::binary_search(contacts_.ignored_edges, edge)) return;
   for (bool const from_left : {false, true})
-    if (CrossedEdge const crossed{edge, from_left}; is_relevant(crossed)) {
-      scan(crossed);
-      if (!from_left || field_.columns()[field_.edges()[edge].column].is_curtain()) walls_.push_back(crossed);
-    }
+    if (CrossedEdge const crossed{edge, from_left}; is_relevant(crossed)) scan(crossed);
 }
 
 /// Whether the cell has points from which the edge is crossed this way, and if that means leaving a column, points
@@ -467,31 +463,32 @@ void Search<A>::settle(CrossedEdge const& crossed)
   });
 }
 
-/// Looks for tops at the foot of the wall below an edge, of objects that were not seen otherwise.
+/// Looks for the top of a column in front of one of another object that stands on it, if the object was not seen
+/// otherwise. Sight lines that meet a crease leave the column by one of its sides.
 template <Arithmetic A>
-void Search<A>::settle_feet(CrossedEdge const& crossed)
+void Search<A>::settle(Seam const& seam, Box const& bounds)
 {
-  Edge const edge = portal(field_, crossed);
-  for (auto const& foot :
-       exposed_feet(field_, crossed.edge, crossed.from_left ? Crossing::leaving : Crossing::entering)) {
-    auto const& column = field_.columns()[foot.column];
-    Box box;
-    box.extend(edge.left);
-    box.extend(edge.right);
-    box.max.z = -HUGE_VAL;
-    for (auto const& c : field_.corners(column)) box.max.z = std::max(box.max.z, c.z);
-    box.min.z = std::min(box.min.z, box.max.z);
-    for (auto const& part : foot_seams(field_, crossed, foot))
-      tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
+  auto const& column = field_.columns()[seam.column];
+  if (is_visible_[column.object] || (options_.hierarchical_culling && tree_.hides(bounds))) return;
+  boost::container::small_vector<Edge, 4> gates;
+  if (seam.is_crease()) {
+    auto const corners = field_.corners(column);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      gates.push_back({corners[i + 1 < corners.size() ? i + 1 : 0], corners[i]});
+  } else {
+    gates.push_back(portal(field_.edges()[seam.edge], seam.from_left));
+  }
+  for (auto const& part : exposed_parts(field_, seam))
+    for (auto const& edge : gates)
+      tree_.visit_leaves(gate(edge), bounds, [&](Index leaf, Funnel const& lines) {
         if (is_visible_[column.object] || !is_ahead(leaf, edge)) return false;
         ++counts_.decisions;
         Find const find = options_.occlusion == Occlusion::single_wedges
                             ? (is_visible_[column.object] = true, Find::visible)
-                            : decide(leaf, lines, part, foot.column);
+                            : decide(leaf, lines, part, seam.column);
         if (find == Find::visible) ++counts_.decided_visible;
         return find == Find::blocked;
       });
-  }
 }
 
 /// The questions that the exposed parts of a target put in a leaf, one for each source, until one is answered.
