@@ -89,6 +89,15 @@ bool may_be_covered(HeightField const& field, std::uint32_t index, Polygon const
   });
 }
 
+/// Whether the cell is a prism with a level top and bottom.
+bool is_upright(ViewCell const& cell, CellOutline const& outline)
+{
+  auto const& v = cell.vertices();
+  return outline.flat && v.size() == 2 * outline.size() && std::ranges::all_of(outline.corners, [&](Point3d const& c) {
+           return std::ranges::find(v, Point3d{c.x, c.y, outline.bottom}) != v.end();
+         });
+}
+
 }  // namespace
 
 CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellOutline const& outline)
@@ -98,9 +107,7 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
   Box under = cell.bounds();
   under.min.z = -HUGE_VAL;
   under.max.z = HUGE_VAL;
-  bool const is_upright = outline.flat && std::ranges::all_of(cell.vertices(), [&](Point3d const& v) {
-                            return v.z == outline.top || v.z == outline.bottom;
-                          });
+  bool const upright = is_upright(cell, outline);
   std::vector<bool> visible(field.scene().objects.size());
   std::vector<std::uint32_t> intruders, doubtful;
   field.column_hierarchy().any_meeting(under, [&](std::uint32_t i) {
@@ -112,8 +119,8 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
     RationalNumber const height = column.is_flat ? RationalNumber(corners[0].z) : highest_inside(corners, footprint);
     if (height >= outline.bottom) {
       visible[column.object] = true;
-      if (!is_upright) out.exact = false;  // it may pass below or beside the cell
-      if (overlaps && (!is_upright || height >= outline.top)) intruders.push_back(i);
+      if (!upright) out.exact = false;  // it may pass below or beside the cell
+      if (overlaps && (!upright || height >= outline.top)) intruders.push_back(i);
     } else if (overlaps && !column.is_curtain()) {
       if (may_be_covered(field, i, polygon)) doubtful.push_back(column.object);
       visible[column.object] = true;

@@ -20,8 +20,34 @@ Box bounds_of(std::span<Point3d const> points)
   return b;
 }
 
-/// The lowest point of what occludes in the object; for open meshes, of its triangles.
-double lowest_point(Scene const& scene, Object const& object) { return bounding_box(scene, object).min.z; }
+/// Whether a box stands on the ground, or on another one of the object that does.
+bool is_supported(Scene const& scene, Object const& object, Box const& box, double ground)
+{
+  if (box.min.z <= ground) return true;
+  for (auto i = object.boxes.first; i < object.boxes.last; ++i) {
+    Box const& b = scene.boxes[i];
+    if (b.min.x <= box.min.x && box.max.x <= b.max.x && b.min.y <= box.min.y && box.max.y <= b.max.y &&
+        b.max.z >= box.min.z && b.min.z < box.min.z && is_supported(scene, object, b, ground))
+      return true;
+  }
+  return false;
+}
+
+/// Whether there may be room below the object. Of a mesh only its lowest point is looked at.
+bool is_raised(Scene const& scene, Object const& object, double ground)
+{
+  for (auto i = object.boxes.first; i < object.boxes.last; ++i)
+    if (!is_supported(scene, object, scene.boxes[i], ground)) return true;
+  for (auto i = object.prisms.first; i < object.prisms.last; ++i)
+    if (scene.prisms[i].bottom > ground) return true;
+  for (auto i = object.polyhedra.first; i < object.polyhedra.last; ++i)
+    if (bounding_box(scene.polyhedra[i]).min.z > ground) return true;
+  double lowest = ground;
+  if (object.triangles.size() > 0) lowest = HUGE_VAL;
+  for (auto i = object.triangles.first; i < object.triangles.last; ++i)
+    for (auto const& v : scene.triangle(i).vertices) lowest = std::min(lowest, v.z);
+  return lowest > ground;
+}
 
 }  // namespace
 
@@ -37,7 +63,7 @@ HeightField::HeightField(Scene const& scene) : scene_(&scene)
   std::vector<Box> edge_bounds, column_bounds;
   for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
     auto const& object = scene.objects[o];
-    raised_ += lowest_point(scene, object) > ground_;
+    raised_ += is_raised(scene, object, ground_);
     auto const& [columns, edges, invalid] = builder.of(object);
     invalid_footprints_ += invalid;
     auto const base = static_cast<std::uint32_t>(columns_.size());

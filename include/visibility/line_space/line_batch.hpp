@@ -38,14 +38,16 @@ public:
   {
     if (std::same_as<A, Rational> || size_ > capacity) return Answer::unknown;
     double const x = point.x - origin_.x, y = point.y - origin_.y;
-    double const error = A::is_exact ? 0x1p-49 * size_bound_ * (extent_ + std::fabs(x) + std::fabs(y)) + 0x1p-900 : 0;
+    double const size = size_bound_ * (extent_ + std::fabs(x) + std::fabs(y));
+    if (!(size < 0x1p1000)) return Answer::unknown;  // or products may overflow
+    double const error = A::is_exact ? 0x1p-49 * size + 0x1p-900 : 0;
     double least = HUGE_VAL, greatest = -HUGE_VAL, closest = HUGE_VAL;
     for (std::size_t i = 0; i < rows_; ++i) {
       double const s = a_[i] * x + b_[i] * y + c_[i];
       least = s < least ? s : least;
       greatest = s > greatest ? s : greatest;
-      double const size = std::fabs(s);
-      closest = size < closest ? size : closest;
+      double const distance = std::fabs(s);
+      closest = distance < closest ? distance : closest;
     }
     if (least > error) return Answer::left;
     if (greatest < -error) return Answer::right;

@@ -28,7 +28,7 @@ public:
   struct Blocker {
     PortalSequence::Edge edge;
     std::uint32_t name;
-    bool everywhere;  ///< beyond the cell for all lines of the leaf; otherwise it crosses the side by which they enter
+    bool everywhere;  ///< crossed beyond the side by which lines enter; otherwise it crosses that side in plan
   };
   struct Leaf {
     Funnel lines;

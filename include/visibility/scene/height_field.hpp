@@ -73,8 +73,9 @@ public:
   std::span<Box const> seam_bounds() const { return seam_bounds_; }
 
   double ground() const { return ground_; }  ///< least height in the scene
-  /// Objects of which some solid or vertical face ends above the ground: sight lines may pass below it, which a height
-  /// field does not know.
+  /// Objects with a solid that neither reaches down to the ground nor stands on a box of the object that does, or whose
+  /// triangles all end above it: sight lines may pass below, which a height field does not know. What hangs over
+  /// within a mesh is not noticed.
   std::size_t raised() const { return raised_; }
   /// Prisms with an invalid footprint: their walls are curtains.
   std::size_t invalid_footprints() const { return invalid_footprints_; }

@@ -130,7 +130,11 @@ bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept c
     bool const is_before = s == Side::left ? at_right < 0 : at_right > 0;
     sequence_.constructed_points.push_back({crossing, s});
     bool accepted = false;
-    if (is_before != before)
+    // Several edges through one funnel: most combinations of sides have no lines.
+    bool const is_empty = ambiguous_.size() > 1 && A::is_exact && !PortalDecision<RationalNumber>(sequence_).exists();
+    if (is_empty)
+      accepted = false;
+    else if (is_before != before)
       accepted = decide(next + 1, 0, accept);
     else if (condition + 1 < conditions.size())
       accepted = decide(next, condition + 1, accept);

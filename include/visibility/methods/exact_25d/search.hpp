@@ -69,6 +69,7 @@ private:
   Edge shrunk(Edge const& edge) const;
 
   bool is_relevant(CrossedEdge const& crossed) const;
+  bool is_flush(Target const& target) const;
   bool holds(Index leaf, Edge const& edge) const
   {
     return std::ranges::any_of(tree_.leaf(leaf).blockers, [&](auto const& b) { return b.edge == edge; });
@@ -191,6 +192,31 @@ bool Search<A>::is_relevant(CrossedEdge const& crossed) const
   });
 }
 
+/// Whether an exposed part of the edge lies right under a side of the cell, seen from inside it: then sight lines fall
+/// steeply onto it, and nothing is in between. From edge to edge they would be vertical, which no sequence describes.
+template <Arithmetic A>
+bool Search<A>::is_flush(Target const& target) const
+{
+  Edge const& edge = target.edge();
+  for (std::size_t i = 0; i < cell_.size(); ++i) {
+    Edge const side = cell_.exit(i);
+    if (plan_order<A>(gate(side), gate(edge)) != PlanOrder::collinear) continue;
+    // Both run from left to right; positions of the side's ends on the edge, by the coordinate in which it is longer.
+    bool const along_x = std::fabs(edge.right.x - edge.left.x) >= std::fabs(edge.right.y - edge.left.y);
+    auto const position = [&](Point3d const& p) {
+      RationalNumber const from(along_x ? edge.left.x : edge.left.y), to(along_x ? edge.right.x : edge.right.y);
+      return RationalNumber((RationalNumber(along_x ? p.x : p.y) - from) / (to - from));
+    };
+    RationalNumber const left = position(side.left), right = position(side.right);
+    if (!(left < right)) continue;  // crossed the other way
+    if (target.is_fully_exposed() ? left < 1 && right > 0 : std::ranges::any_of(target.parts(), [&](auto const& part) {
+          return left < part.high && right > part.low;
+        }))
+      return true;
+  }
+  return false;
+}
+
 /// Whether lines of the leaf cross the edge beyond the cell.
 template <Arithmetic A>
 bool Search<A>::is_ahead(Index leaf, Edge const& edge) const
@@ -269,7 +295,10 @@ void Search<A>::scan(CrossedEdge const& crossed)
   box.extend(e.b);
   auto const object = field_.object_of(e);
   std::optional<Target> target;
-  if (!is_visible_[object]) target.emplace(field_, crossed);
+  if (!is_visible_[object]) {
+    target.emplace(field_, crossed);
+    if (is_flush(*target)) is_visible_[object] = true;
+  }
   bool is_open = false;
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
     if (!is_ahead(leaf, edge)) return false;
@@ -520,7 +549,9 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, st
 {
   PortalSequence::ConstructedEdge const target{part.left, part.right};
   for (auto const& source : all_sources(leaf)) {
-    PortalQuestion<A> question(lines, source, target);
+    // From the near side to the far one: a funnel through the sides of the column holds lines of both directions.
+    auto const question =
+      PortalQuestion<A>(lines, source, target).within(horizontal(part.left), horizontal(part.right));
     auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
       return confirm(
         leaf, start, end, [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); },
