@@ -82,6 +82,7 @@
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
+#include "visibility/methods/exact_25d/seam_wedge.hpp"
 #include "visibility/methods/exact_25d/search.hpp"
 #include "visibility/methods/exact_25d/sight_line.hpp"
 #include "visibility/methods/exact_25d/target.hpp"

@@ -121,7 +121,7 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
       visible[column.object] = true;
       if (!upright) out.exact = false;  // it may pass below or beside the cell
       if (overlaps && (!upright || height >= outline.top)) intruders.push_back(i);
-    } else if (overlaps && !column.is_curtain()) {
+    } else if (overlaps) {
       if (may_be_covered(field, i, polygon)) doubtful.push_back(column.object);
       visible[column.object] = true;
     }

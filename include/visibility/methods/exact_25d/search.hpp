@@ -6,6 +6,7 @@
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
+#include "visibility/methods/exact_25d/seam_wedge.hpp"
 #include "visibility/methods/exact_25d/sight_line.hpp"
 #include "visibility/methods/exact_25d/target.hpp"
 #include "visibility/scene/seams.hpp"
@@ -53,6 +54,7 @@ private:
   using Index = typename Tree::Index;
   using Edge = PortalSequence::Edge;
   enum class Find { visible, blocked, nothing };
+  static constexpr int most_retries = 1000;  // rounding may undo what a new blocker does; exact arithmetic has no need
 
   void traverse();
   void process(std::uint32_t edge);
@@ -78,6 +80,7 @@ private:
   boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const;
   boost::container::small_vector<Edge, 2> all_sources(Index leaf) const;
   bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed, bool as_occluder);
+  bool is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part) const;
   bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
                       bool as_occluder) const;
   Find sample(Index leaf, Funnel const& lines, Target const& target);
@@ -283,6 +286,23 @@ bool Search<A>::is_hidden(Index leaf, Funnel const& lines, Edge const& target, E
   return true;
 }
 
+/// The same for a part of a seam; by intervals.
+template <Arithmetic A>
+bool Search<A>::is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part) const
+{
+  if (std::same_as<A, Rational> || !options_.penumbra_wedges || !cell_.inner.empty()) return false;
+  auto const& l = tree_.leaf(leaf);
+  auto const is_hidden_from = [&](Edge const& source) {
+    EdgeRange const s = crossed_range(lines, gate(source));
+    return std::ranges::any_of(l.blockers, [&](typename Tree::Blocker const& f) {
+      return f.everywhere && part.is_ahead_of(f.edge) && part.is_hidden_by(source, s, f.edge);
+    });
+  };
+  bool const falls = !cell_.flat || part.least_height() < cell_.top;
+  bool const rises = !cell_.flat || part.greatest_height() >= cell_.top;
+  return (!falls || is_hidden_from(cell_.exit(l.exit))) && (!rises || is_hidden_from(cell_.entry(l.entry)));
+}
+
 /// Looks at the edge in every leaf that does not hide it: as a target until its object is known to be visible, and as
 /// an occluder.
 template <Arithmetic A>
@@ -300,6 +320,7 @@ void Search<A>::scan(CrossedEdge const& crossed)
     if (is_flush(*target)) is_visible_[object] = true;
   }
   bool is_open = false;
+  int retries = 0;
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
     if (!is_ahead(leaf, edge)) return false;
     ++counts_.portal_tests;
@@ -316,7 +337,7 @@ void Search<A>::scan(CrossedEdge const& crossed)
                         : options_.sampled_lines                       ? sample(leaf, lines, *target)
                                                                        : Find::nothing;
       if (find == Find::visible) ++counts_.sampled_visible;
-      if (find == Find::blocked) return true;
+      if (find == Find::blocked) return A::is_exact || ++retries < most_retries;
       is_open |= find == Find::nothing;
     }
     insert_in_leaf(leaf, crossed, edge, lines);
@@ -478,6 +499,7 @@ void Search<A>::settle(CrossedEdge const& crossed)
   box.extend(e.a);
   box.extend(e.b);
   auto const object = field_.object_of(e);
+  int retries = 0;
   tree_.visit_leaves(gate(target.edge()), box, [&](Index leaf, Funnel const& lines) {
     if (is_visible_[object] || !is_ahead(leaf, target.edge()) ||
         is_hidden(leaf, lines, target.edge(), target.exposed_range(), false))
@@ -488,7 +510,7 @@ void Search<A>::settle(CrossedEdge const& crossed)
       find = decide(leaf, lines, target);
       if (find == Find::visible) ++counts_.decided_visible;
     }
-    return find == Find::blocked;
+    return find == Find::blocked && (A::is_exact || ++retries < most_retries);
   });
 }
 
@@ -507,17 +529,25 @@ void Search<A>::settle(Seam const& seam, Box const& bounds)
   } else {
     gates.push_back(portal(field_.edges()[seam.edge], seam.from_left));
   }
-  for (auto const& part : exposed_parts(field_, seam))
+  int retries = 0;
+  for (auto const& part : exposed_parts(field_, seam)) {
+    SeamWedge const wedge(part);
     for (auto const& edge : gates)
       tree_.visit_leaves(gate(edge), bounds, [&](Index leaf, Funnel const& lines) {
         if (is_visible_[column.object] || !is_ahead(leaf, edge)) return false;
+        ++counts_.portal_tests;
+        if (is_hidden(leaf, lines, wedge)) {
+          ++counts_.wedge_hidden;
+          return false;
+        }
         ++counts_.decisions;
         Find const find = options_.occlusion == Occlusion::single_wedges
                             ? (is_visible_[column.object] = true, Find::visible)
                             : decide(leaf, lines, part, seam.column);
         if (find == Find::visible) ++counts_.decided_visible;
-        return find == Find::blocked;
+        return find == Find::blocked && (A::is_exact || ++retries < most_retries);
       });
+  }
 }
 
 /// The questions that the exposed parts of a target put in a leaf, one for each source, until one is answered.
