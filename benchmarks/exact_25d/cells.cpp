@@ -28,7 +28,7 @@ Row measure(HeightField const& field, std::vector<ViewCell> const& cells, int ru
   for (auto const& cell : cells) {
     auto const set = exact_set(field, cell);
     PotentiallyVisibleSet plain;
-    auto const [exact, rounded] = medians_in_turn(
+    auto const [exact, rounded] = medians_in_turn<ProcessorClock>(
       runs, [&] { Exact25d<>()(field, cell); }, [&] { plain = Exact25d<Double>()(field, cell); });
     double const n = static_cast<double>(cells.size()), visible = static_cast<double>(set.visible.size());
     ++row.cells;
@@ -65,7 +65,8 @@ void cells(Report& report, Size size)
     for (auto const& p : published)
       if (p.scene == source.counterpart)
         add(to_string(p.scene) + ": " + m.name, p.perimeter, p.height, &p,
-            measure(*m.field, free_cells(*m.field, p.perimeter, p.height, full ? 10 : 2), full ? 3 : 1));
+            measure(*m.field, free_cells(*m.field, {p.perimeter, p.height, street_width(p.scene)}, full ? 10 : 2),
+                    full ? 3 : 1));
     if (source.counterpart != Paper::city) return;
     // From above the roofs much of the city is seen: the square without buildings in the middle, and higher up.
     for (double const top : full ? std::vector{2.0, 300.0, 500.0} : std::vector{2.0}) {

@@ -4,22 +4,29 @@ namespace visibility::bench::exact_25d {
 
 namespace {
 
+/// Cells of growing size: wider and longer; of Random, where only small ones fit, higher.
+std::vector<CellShape> shapes(Paper p)
+{
+  std::vector<CellShape> out;
+  for (double const x : {1, 2, 4, 8, 16, 32})
+    out.push_back(p == Paper::random ? CellShape{24, 1 + std::log2(x)} : CellShape{8 * x, 2, street_width(p)});
+  return out;
+}
+
 /// Work against what is visible, over cells of many sizes: figure 6.
 void against_visible(Report& report, Size size)
 {
   bool const full = size == Size::full;
-  auto& table = report.table("Figure 6: exponents e of work ~ visible^e, over cells with perimeters from 8 to 256",
+  auto& table = report.table("Figure 6: exponents e of work ~ visible^e, over cells of growing size",
                              {"scene", "cells", "visible objects, from", "to", "line-space cells", "portal tests",
                               "edges inserted", "ms", "line-space cells of edges", "portal tests of edges"});
   for_each_model(size, table.notes, [&](Source const& source, Model const& m) {
     std::vector<std::pair<double, double>> leaves, tests, edges, seconds, leaves_of_edges, tests_of_edges;
     double least = HUGE_VAL, most = 0;
-    for (double const perimeter : {8.0, 16.0, 32.0, 64.0, 128.0, 256.0}) {
-      double const height = source.counterpart == Paper::random ? 2 * perimeter / 32 : 2;
-      if (height > 8) continue;
-      for (auto const& cell : free_cells(*m.field, perimeter, height, full ? 3 : 1)) {
+    for (auto const& shape : shapes(source.counterpart))
+      for (auto const& cell : free_cells(*m.field, shape, full ? 3 : 1)) {
         PotentiallyVisibleSet set;
-        double const s = median_seconds(full ? 3 : 1, 1, [&] { set = exact_set(*m.field, cell); });
+        double const s = median_seconds<ProcessorClock>(full ? 3 : 1, 1, [&] { set = exact_set(*m.field, cell); });
         double const n = static_cast<double>(set.visible.size());
         if (n < 1) continue;
         auto const& counts = set.statistics;
@@ -34,7 +41,6 @@ void against_visible(Report& report, Size size)
         least = std::min(least, n);
         most = std::max(most, n);
       }
-    }
     if (leaves.size() < 2 || least == most) return;
     table.add({m.name, double(leaves.size()), least, most, fitted_exponent(leaves), fitted_exponent(tests),
                fitted_exponent(edges), fitted_exponent(seconds), fitted_exponent(leaves_of_edges),
@@ -42,7 +48,7 @@ void against_visible(Report& report, Size size)
   });
   table.notes.emplace_back("The paper's bounds: between k log k + log k log n and k^2 log n; its City grows faster.");
   table.notes.emplace_back(
-    "Height 2 m; of Random a sixteenth of the perimeter, up to 8 m. Least squares of logarithms.");
+    "Cells: perimeters 8 to 256 m, 2 m high; of Random 24 m, 1 to 6 m high. Least squares of logarithms.");
 }
 
 struct Growing {
@@ -73,7 +79,7 @@ void against_scene(Report& report, Size size)
       auto const m = load(specification);
       ViewCell const cell(family.cell);
       auto const set = exact_set(*m->field, cell);
-      double const seconds = median_seconds(full ? 15 : 1, 5, [&] { Exact25d<>()(*m->field, cell); });
+      double const seconds = median_seconds<ProcessorClock>(full ? 15 : 1, 5, [&] { Exact25d<>()(*m->field, cell); });
       points.emplace_back(double(m->field->edges().size()), seconds);
       bool const last = specification == family.specifications.back();
       table.add({family.name, points.back().first, m->build_seconds, double(set.visible.size()),

@@ -3,8 +3,10 @@
 #include "visibility/predicates/orient2d.hpp"
 #include "visibility/scene/read_scene.hpp"
 
+#include <array>
 #include <filesystem>
 #include <random>
+#include <span>
 #include <stdexcept>
 
 namespace visibility::bench::exact_25d {
@@ -16,24 +18,41 @@ double uniform(std::mt19937_64& engine, double lo, double hi)
   return lo + (hi - lo) * (static_cast<double>(engine() >> 11) * 0x1p-53);
 }
 
-/// Whether no column meets the closed base.
-bool is_free(HeightField const& field, Box const& base)
+using Base = std::array<Point3d, 4>;  // counterclockwise in plan
+
+/// Whether an edge of a has all of b strictly outside. Requires: a counterclockwise in plan.
+bool an_edge_separates(std::span<Point3d const> a, std::span<Point3d const> b)
 {
-  Box shaft = base;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    auto const p = horizontal(a[i]), q = horizontal(a[(i + 1) % a.size()]);
+    if (std::ranges::all_of(b, [&](Point3d const& r) { return is_negative(orient2d<Filtered>(p, q, horizontal(r))); }))
+      return true;
+  }
+  return false;
+}
+
+/// Whether no column meets the closed base.
+bool is_free(HeightField const& field, Base const& base)
+{
+  Box shaft;
+  for (auto const& p : base) shaft.extend(p);
   shaft.min.z = HeightField::bottomless;
-  auto const& columns = field.columns();
   return !field.column_hierarchy().any_item_meeting(shaft, [&](std::uint32_t i) {
-    auto const corners = field.corners(columns[i]);
-    if (corners.size() < 3) return true;
-    for (std::size_t k = 0; k < corners.size(); ++k) {
-      auto const a = horizontal(corners[k]), b = horizontal(corners[(k + 1) % corners.size()]);
-      bool outside = true;
-      for (int c = 0; c < 4; ++c)
-        outside = outside && is_negative(orient2d<Filtered>(a, b, horizontal(base.corner(c))));
-      if (outside) return false;
-    }
-    return true;
+    auto const corners = field.corners(field.columns()[i]);
+    return !(corners.size() > 2 && an_edge_separates(corners, base)) && !an_edge_separates(base, corners);
   });
+}
+
+/// Unit vector along a random edge of the object in plan.
+Point2d direction(std::mt19937_64& engine, HeightField const& field, std::uint32_t object)
+{
+  auto const edges = field.edges();
+  auto const [first, last] =
+    std::ranges::equal_range(edges, object, {}, [&](HeightField::TopEdge const& e) { return field.object_of(e); });
+  if (first == last) return {1, 0};
+  auto const& e = *(first + static_cast<std::ptrdiff_t>(engine() % static_cast<std::uint64_t>(last - first)));
+  double const x = e.b.x - e.a.x, y = e.b.y - e.a.y, length = std::hypot(x, y);
+  return length > 0 ? Point2d{x / length, y / length} : Point2d{1, 0};
 }
 
 }  // namespace
@@ -70,7 +89,7 @@ std::vector<Source> sources(Size size)
 
 Model::Model(std::string model_name, Scene s) : name(std::move(model_name)), scene(std::move(s))
 {
-  build_seconds = median_seconds(1, 0, [&] { field = std::make_unique<HeightField>(scene); });
+  build_seconds = median_seconds<ProcessorClock>(1, 0, [&] { field = std::make_unique<HeightField>(scene); });
 }
 
 std::unique_ptr<Model> load(std::string const& name)
@@ -94,22 +113,42 @@ void for_each_model(Size size, std::vector<std::string>& notes,
   }
 }
 
-std::vector<ViewCell> free_cells(HeightField const& field, double perimeter, double height, int count,
-                                 std::uint64_t seed)
+double street_width(Paper p)
+{
+  switch (p) {
+  case Paper::vienna: return 8;
+  case Paper::atlanta: return 15;
+  case Paper::city: return 50;
+  case Paper::random: return 9;
+  }
+  return 0;
+}
+
+std::vector<ViewCell> free_cells(HeightField const& field, CellShape const& shape, int count, std::uint64_t seed)
 {
   std::mt19937_64 engine(seed);
   auto const& scene = field.scene();
   Box const all = bounding_box(scene);
-  double const side = perimeter / 4;
+  auto const central = [](double v, double lo, double hi) { return std::fabs(2 * v - lo - hi) <= (hi - lo) / 2; };
+  double const half_width = std::min(shape.width, shape.perimeter / 4) / 2;
+  double const half_length = shape.perimeter / 4 - half_width;
   std::vector<ViewCell> out;
   for (int attempt = 0; attempt < 100'000 && static_cast<int>(out.size()) < count; ++attempt) {
-    Box const near = bounding_box(scene, scene.objects[engine() % scene.objects.size()]);
-    double const x = uniform(engine, near.min.x - 20 - side, near.max.x + 20);
-    double const y = uniform(engine, near.min.y - 20 - side, near.max.y + 20);
-    auto const central = [](double v, double lo, double hi) { return std::fabs(2 * v - lo - hi) <= (hi - lo) / 2; };
+    auto const object = static_cast<std::uint32_t>(engine() % scene.objects.size());
+    Box const near = bounding_box(scene, scene.objects[object]);
+    double const x = uniform(engine, near.min.x - 20, near.max.x + 20);
+    double const y = uniform(engine, near.min.y - 20, near.max.y + 20);
     if (!central(x, all.min.x, all.max.x) || !central(y, all.min.y, all.max.y)) continue;
-    Box const cell{{x, y, near.min.z}, {x + side, y + side, near.min.z + height}};
-    if (is_free(field, cell)) out.emplace_back(cell);
+    auto const [c, s] = direction(engine, field, object);
+    auto const corner = [&](double u, double v) {
+      return Point3d{x + u * half_length * c - v * half_width * s, y + u * half_length * s + v * half_width * c,
+                     near.min.z};
+    };
+    Base const base{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+    if (!is_free(field, base)) continue;
+    std::vector<Point3d> corners(base.begin(), base.end());
+    for (auto const& p : base) corners.push_back({p.x, p.y, p.z + shape.height});
+    out.push_back(ViewCell::hull(corners));
   }
   return out;
 }

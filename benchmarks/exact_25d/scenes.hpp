@@ -51,11 +51,17 @@ std::unique_ptr<Model> load(std::string const& name);
 /// Calls run(source, model) for the sources that are there, one in memory at a time; the others become notes.
 void for_each_model(Size, std::vector<std::string>& notes, std::function<void(Source const&, Model const&)> const& run);
 
-/// `count` cells with square bases of this perimeter, from the ground up, that meet no column: each at a random place
-/// within 20 m of a random object in the middle half of the scene (by either axis), on the ground of that object.
+struct CellShape {
+  double perimeter, height;  ///< m
+  double width = HUGE_VAL;   ///< of the base, a rectangle; the base is a square where that is no wider
+};
+/// What fits into a street of our counterparts, m.
+double street_width(Paper);
+
+/// `count` cells that meet no column, from the ground up: each at a random place within 20 m of a random object in the
+/// middle half of the scene (by either axis), on the ground of that object and along one of its edges.
 /// Fewer if few places are free. The same seed gives the same cells.
-std::vector<ViewCell> free_cells(HeightField const&, double perimeter, double height, int count,
-                                 std::uint64_t seed = 1);
+std::vector<ViewCell> free_cells(HeightField const&, CellShape const&, int count, std::uint64_t seed = 1);
 
 /// The answer of the exact method; throws std::runtime_error unless it is one.
 PotentiallyVisibleSet exact_set(HeightField const&, ViewCell const&);

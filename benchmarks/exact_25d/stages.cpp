@@ -39,7 +39,7 @@ void stages(Report& report, Size size)
   build.notes = {"Peak: of the process, scene included. Run alone for a meaningful number."};
 
   auto& table = report.table("Table 3: what decides an edge in a leaf of line space, means per cell (paper | ours)",
-                             {"scene", "perimeter", "height", "portal tests", "by wedge or line, %",
+                             {"scene", "perimeter", "height", "portal tests", "no portal decision, %",
                               "hidden by wedge, %", "seen by line, %", "decisions", "of these visible, %", "lines shot",
                               "blocked, %", "groups tested", "hidden, %"});
   std::vector<std::vector<Value>> space{{"paper: Atlanta", "larger", 2.0, 2312.0, 1.54},
@@ -54,13 +54,13 @@ void stages(Report& report, Size size)
     if (source.counterpart == Paper::atlanta) shapes.emplace_back(17, 2);
     for (auto const& [perimeter, height] : shapes) {
       Sums sums;
-      for (auto const& cell : free_cells(*m.field, perimeter, height, full ? 10 : 2))
+      for (auto const& cell :
+           free_cells(*m.field, {perimeter, height, street_width(source.counterpart)}, full ? 10 : 2))
         sums.add(exact_set(*m.field, cell));
       if (sums["runs"] == 0) continue;
       double const tests = sums["portal_tests"], decisions = sums["decisions"];
-      table.add({m.name, perimeter, height, sums.mean("portal_tests"),
-                 percent(sums["wedge_hidden"] + sums["sampled_visible"], tests), percent(sums["wedge_hidden"], tests),
-                 percent(sums["sampled_visible"], tests), sums.mean("decisions"),
+      table.add({m.name, perimeter, height, sums.mean("portal_tests"), percent(tests - decisions, tests),
+                 percent(sums["wedge_hidden"], tests), percent(sums["sampled_visible"], tests), sums.mean("decisions"),
                  percent(sums["decided_visible"], decisions), sums.mean("shots"),
                  percent(sums["shots_blocked"], sums["shots"]), sums.mean("nodes_tested"),
                  percent(sums["nodes_hidden"], sums["nodes_tested"])});

@@ -15,11 +15,11 @@ void wedges(Report& report, Size size)
   auto const m = load(full ? "gen:slanted" : "gen:slanted,n=200");
   for (auto const& [height, paper] : {std::pair(2.0, 47.0), std::pair(4.0, 76.0)}) {
     double exact = 0, loose = 0, exact_ms = 0, loose_ms = 0;
-    auto const places = free_cells(*m->field, 36, height, full ? 20 : 2);
+    auto const places = free_cells(*m->field, {36, height}, full ? 20 : 2);
     for (auto const& cell : places) {
       auto const set = exact_set(*m->field, cell);
       PotentiallyVisibleSet superset;
-      auto const [e, l] = medians_in_turn(
+      auto const [e, l] = medians_in_turn<ProcessorClock>(
         full ? 3 : 1, [&] { Exact25d<>()(*m->field, cell); }, [&] { superset = Exact25d<>(single)(*m->field, cell); });
       if (!difference(set.visible, superset.visible).empty())
         throw std::runtime_error("single wedges hide a visible object");
