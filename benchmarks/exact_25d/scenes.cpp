@@ -131,13 +131,13 @@ std::vector<ViewCell> free_cells(HeightField const& field, CellShape const& shap
   Box const all = bounding_box(scene);
   auto const central = [](double v, double lo, double hi) { return std::fabs(2 * v - lo - hi) <= (hi - lo) / 2; };
   double const half_width = std::min(shape.width, shape.perimeter / 4) / 2;
-  double const half_length = shape.perimeter / 4 - half_width;
+  double const half_length = shape.perimeter / 4 - half_width, reach = 20 + half_width;
   std::vector<ViewCell> out;
   for (int attempt = 0; attempt < 100'000 && static_cast<int>(out.size()) < count; ++attempt) {
     auto const object = static_cast<std::uint32_t>(engine() % scene.objects.size());
     Box const near = bounding_box(scene, scene.objects[object]);
-    double const x = uniform(engine, near.min.x - 20, near.max.x + 20);
-    double const y = uniform(engine, near.min.y - 20, near.max.y + 20);
+    double const x = uniform(engine, near.min.x - reach, near.max.x + reach);
+    double const y = uniform(engine, near.min.y - reach, near.max.y + reach);
     if (!central(x, all.min.x, all.max.x) || !central(y, all.min.y, all.max.y)) continue;
     auto const [c, s] = direction(engine, field, object);
     auto const corner = [&](double u, double v) {
