@@ -29,7 +29,7 @@ Row measure(HeightField const& field, std::vector<ViewCell> const& cells, int ru
   for (auto const& cell : cells) {
     auto const set = exact_set(field, cell);
     double const exact = median_seconds<ProcessorClock>(runs, 2, [&] { Exact25d<>()(field, cell); });
-    if (double_ends(field, cell, 1 + static_cast<unsigned>(10 * exact))) {
+    if (ends<Double>(field, cell, 2 + static_cast<unsigned>(10 * exact))) {
       PotentiallyVisibleSet plain;
       auto const [of_exact, of_double] = medians_in_turn<ProcessorClock>(
         runs, [&] { Exact25d<>()(field, cell); }, [&] { plain = Exact25d<Double>()(field, cell); });
@@ -72,7 +72,8 @@ void cells(Report& report, Size size)
     for (auto const& p : published)
       if (p.scene == source.counterpart)
         add(to_string(p.scene) + ": " + m.name, p.perimeter, p.height, &p,
-            measure(*m.field, free_cells(*m.field, {p.perimeter, p.height, street_width(p.scene)}, full ? 10 : 2),
+            measure(*m.field,
+                    answered_cells(m, {p.perimeter, p.height, street_width(p.scene)}, full ? 6 : 2, table.notes),
                     full ? 3 : 1));
     if (source.counterpart != Paper::city) return;
     // From above the roofs much of the city is seen: the square without buildings in the middle, and higher up.

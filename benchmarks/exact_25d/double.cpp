@@ -42,7 +42,7 @@ void double_arithmetic(Report& report, Size size)
       if (set.guarantee != Guarantee::exact) continue;
       sums.add("exact", 1);
       sums.add("us exact", 1e6 * exact);
-      if (!double_ends(field, cell, 2)) {
+      if (!ends<Double>(field, cell, 2)) {
         sums.add("failures", 1);
         continue;
       }

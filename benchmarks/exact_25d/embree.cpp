@@ -1,3 +1,4 @@
+#include "ends.hpp"
 #include "scenes.hpp"
 
 #include "visibility/evidence/ray_scene.hpp"
@@ -43,7 +44,7 @@ void embree(Report& report, Size size)
     Scene const solid = m->field->raised() > 0 ? grounded(m->scene) : Scene{};
     PreparedScene const prepared(m->field->raised() > 0 ? solid : m->scene);
     RayScene const rays(prepared);
-    for (auto const& cell : free_cells(*m->field, {place.perimeter, place.height}, place.cells)) {
+    for (auto const& cell : answered_cells(*m, {place.perimeter, place.height}, place.cells, table.notes)) {
       auto const set = exact_set(*m->field, cell);
       double const seconds = median_seconds<ProcessorClock>(full ? 5 : 1, 1, [&] { Exact25d<>()(*m->field, cell); });
       std::vector<Value> row{m->name, place.perimeter, double(set.visible.size()), 1e3 * seconds};

@@ -1,3 +1,4 @@
+#include "ends.hpp"
 #include "scenes.hpp"
 
 namespace visibility::bench::exact_25d {
@@ -24,7 +25,7 @@ void against_visible(Report& report, Size size)
     std::vector<std::pair<double, double>> leaves, tests, edges, seconds, leaves_of_edges, tests_of_edges;
     double least = HUGE_VAL, most = 0;
     for (auto const& shape : shapes(source.counterpart))
-      for (auto const& cell : free_cells(*m.field, shape, full ? 3 : 1)) {
+      for (auto const& cell : answered_cells(m, shape, full ? 3 : 1, table.notes)) {
         PotentiallyVisibleSet set;
         double const s = median_seconds<ProcessorClock>(full ? 3 : 1, 1, [&] { set = exact_set(*m.field, cell); });
         double const n = static_cast<double>(set.visible.size());

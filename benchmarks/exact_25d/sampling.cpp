@@ -1,3 +1,4 @@
+#include "ends.hpp"
 #include "scenes.hpp"
 
 #include <numbers>
@@ -33,7 +34,7 @@ void sampling(Report& report, Size size)
   for_each_model(size, table.notes, [&](Source const& source, Model const& m) {
     if (source.counterpart != Paper::vienna && source.counterpart != Paper::atlanta) return;
     double const perimeter = source.counterpart == Paper::vienna ? 36 : 89;
-    auto const places = free_cells(*m.field, {perimeter, 2, street_width(source.counterpart)}, full ? 5 : 2);
+    auto const places = answered_cells(m, {perimeter, 2, street_width(source.counterpart)}, full ? 5 : 2, table.notes);
     if (places.empty()) return;
     double const n = static_cast<double>(places.size());
     std::vector<double> sizes;

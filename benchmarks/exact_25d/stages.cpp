@@ -1,3 +1,4 @@
+#include "ends.hpp"
 #include "scenes.hpp"
 
 #include <sys/resource.h>
@@ -55,7 +56,7 @@ void stages(Report& report, Size size)
     for (auto const& [perimeter, height] : shapes) {
       Sums sums;
       for (auto const& cell :
-           free_cells(*m.field, {perimeter, height, street_width(source.counterpart)}, full ? 10 : 2))
+           answered_cells(m, {perimeter, height, street_width(source.counterpart)}, full ? 6 : 2, table.notes))
         sums.add(exact_set(*m.field, cell));
       if (sums["runs"] == 0) continue;
       double const tests = sums["portal_tests"], decisions = sums["decisions"];
