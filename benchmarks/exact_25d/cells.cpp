@@ -73,13 +73,13 @@ void cells(Report& report, Size size)
       if (p.scene == source.counterpart)
         add(to_string(p.scene) + ": " + m.name, p.perimeter, p.height, &p,
             measure(*m.field,
-                    answered_cells(m, {p.perimeter, p.height, street_width(p.scene)}, full ? 6 : 2, table.notes),
+                    answered_cells(m, {p.perimeter, p.height, street_width(p.scene)}, full ? 5 : 2, table.notes),
                     full ? 3 : 1));
     if (source.counterpart != Paper::city) return;
     // From above the roofs much of the city is seen: the square without buildings in the middle, and higher up.
-    for (double const top : full ? std::vector{2.0, 500.0, 850.0} : std::vector{2.0}) {
-      ViewCell const cell(Box{{-71, -71, 0}, {71, 71, top}});
-      add(to_string(source.counterpart) + ": central square", 568, top, nullptr, measure(*m.field, {cell}, 1));
+    for (auto const& [half, top] : {std::pair(71.0, 2.0), std::pair(2.0, full ? 850.0 : 2.0)}) {
+      ViewCell const cell(Box{{-half, -half, 0}, {half, half, top}});
+      add(to_string(source.counterpart) + ": central square", 8 * half, top, nullptr, measure(*m.field, {cell}, 1));
     }
   });
   table.notes.insert(

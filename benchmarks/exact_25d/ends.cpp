@@ -36,10 +36,10 @@ template bool ends<Double>(HeightField const&, ViewCell const&, unsigned);
 std::vector<ViewCell> answered_cells(Model const& m, CellShape const& shape, int count, std::vector<std::string>& notes)
 {
   auto cells = free_cells(*m.field, shape, count);
-  auto const late = std::erase_if(cells, [&](ViewCell const& c) { return !ends<Filtered>(*m.field, c, 10); });
+  auto const late = std::erase_if(cells, [&](ViewCell const& c) { return !ends<Filtered>(*m.field, c, 5); });
   if (late > 0)
     notes.push_back(m.name + ", perimeter " + std::to_string(static_cast<int>(shape.perimeter)) + ": left out " +
-                    std::to_string(late) + " cells without an answer within 10 s");
+                    std::to_string(late) + " cells without an answer within 5 s");
   return cells;
 }
 

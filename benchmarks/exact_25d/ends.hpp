@@ -13,7 +13,7 @@ bool ends(HeightField const&, ViewCell const&, unsigned seconds);
 extern template bool ends<Filtered>(HeightField const&, ViewCell const&, unsigned);
 extern template bool ends<Double>(HeightField const&, ViewCell const&, unsigned);
 
-/// Those of free_cells() that the exact method answers within 10 s; the others become a note.
+/// Those of free_cells() that the exact method answers within 5 s; the others become a note.
 std::vector<ViewCell> answered_cells(Model const&, CellShape const&, int count, std::vector<std::string>& notes);
 
 }  // namespace visibility::bench::exact_25d

@@ -25,9 +25,9 @@ void against_visible(Report& report, Size size)
     std::vector<std::pair<double, double>> leaves, tests, edges, seconds, leaves_of_edges, tests_of_edges;
     double least = HUGE_VAL, most = 0;
     for (auto const& shape : shapes(source.counterpart))
-      for (auto const& cell : answered_cells(m, shape, full ? 3 : 1, table.notes)) {
+      for (auto const& cell : answered_cells(m, shape, full ? 2 : 1, table.notes)) {
         PotentiallyVisibleSet set;
-        double const s = median_seconds<ProcessorClock>(full ? 3 : 1, 1, [&] { set = exact_set(*m.field, cell); });
+        double const s = median_seconds<ProcessorClock>(1, 0, [&] { set = exact_set(*m.field, cell); });
         double const n = static_cast<double>(set.visible.size());
         if (n < 1) continue;
         auto const& counts = set.statistics;
