@@ -16,7 +16,8 @@ bool ends(HeightField const& field, ViewCell const& cell, unsigned seconds)
   pid_t const child = fork();
   if (child < 0) throw std::runtime_error("cannot start a process");
   if (child == 0) {
-    rlimit const limit{seconds, seconds};
+    rlimit const limit{seconds, seconds}, none{0, 0};
+    setrlimit(RLIMIT_CORE, &none);
     setrlimit(RLIMIT_CPU, &limit);
     try {
       Exact25d<A>()(field, cell);
