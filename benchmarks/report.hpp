@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -123,16 +124,28 @@ private:
   std::vector<Table> tables_;
 };
 
+/// Processor time of the whole process, for work on one core of a machine that is shared with others.
+struct ProcessorClock {
+  using duration = std::chrono::nanoseconds;
+  using time_point = std::chrono::time_point<ProcessorClock, duration>;
+  static time_point now()
+  {
+    timespec t{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+    return time_point(std::chrono::seconds(t.tv_sec) + std::chrono::nanoseconds(t.tv_nsec));
+  }
+};
+
 /// Seconds of `run`, the median of several runs: `runs`, or fewer once `budget` seconds are spent, at least one.
-template <class Run>
+template <class Clock = std::chrono::steady_clock, class Run>
 double median_seconds(int runs, double budget, Run&& run)
 {
   std::vector<double> times;
   double spent = 0;
   while (static_cast<int>(times.size()) < runs && (times.empty() || spent < budget)) {
-    auto const start = std::chrono::steady_clock::now();
+    auto const start = Clock::now();
     run();
-    times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    times.push_back(std::chrono::duration<double>(Clock::now() - start).count());
     spent += times.back();
   }
   std::ranges::nth_element(times, times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2));
@@ -140,13 +153,13 @@ double median_seconds(int runs, double budget, Run&& run)
 }
 
 /// Median seconds of each of two, run in turn, so that a machine that slows down slows both.
-template <class A, class B>
+template <class Clock = std::chrono::steady_clock, class A, class B>
 std::pair<double, double> medians_in_turn(int runs, A&& a, B&& b)
 {
   std::vector<double> of_a, of_b;
   for (int i = 0; i < runs; ++i) {
-    of_a.push_back(median_seconds(1, 0, a));
-    of_b.push_back(median_seconds(1, 0, b));
+    of_a.push_back(median_seconds<Clock>(1, 0, a));
+    of_b.push_back(median_seconds<Clock>(1, 0, b));
   }
   std::ranges::sort(of_a);
   std::ranges::sort(of_b);
