@@ -2,6 +2,7 @@
 
 #include "visibility/scene/result_file.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
@@ -238,6 +239,42 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
     REQUIRE(run.out.empty());
     REQUIRE(folder.files() == before);
   }
+}
+
+TEST_CASE("command line: exact-2.5d, with witnesses, inside what strong occlusion keeps", "[commands]")
+{
+  Folder const folder;
+  auto const exact = folder / "exact.json", rational = folder / "rational.json", loose = folder / "loose.json";
+  std::string const cell = " --cell=-30,-30,0,30,30,10 --method ";
+  auto const pvs = [&](std::string const& options, std::string const& file) {
+    auto const run = visibility_command(folder, "pvs gen:city,n=100" + cell + options + " -o " + file);
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    return read_results(file).front();
+  };
+  auto const set = pvs("exact-2.5d --witnesses", exact);
+  REQUIRE(set.guarantee == Guarantee::exact);
+  REQUIRE(set.witnesses.size() == set.visible.size());
+  REQUIRE(pvs("exact-2.5d --arithmetic rational", rational).visible == set.visible);
+  auto const kept = pvs("strong-occlusion", loose).visible;
+  REQUIRE(std::ranges::includes(kept, set.visible));
+  REQUIRE(kept.size() > set.visible.size());
+  REQUIRE(visibility_command(folder, "check gen:city,n=100 " + exact + " --rays 100000").exit_code == 0);
+
+  auto const refused = [&](std::string const& scene, std::string const& options) {
+    auto const run = visibility_command(folder, "pvs " + scene + cell + "exact-2.5d" + options);
+    CAPTURE(scene, options, run.err);
+    return run.exit_code == 2 && is_one_line(run.err);
+  };
+  REQUIRE(refused("gen:spheres,n=3", ""));  // balls have no edges
+  REQUIRE(refused("gen:city,n=100", " --region=0,0,0,8,8,8 --cell-size 4 --cell-size 2"));
+  auto const raised = folder.write("raised.json", R"({"format": "visibility-scene/1", "objects": [
+    {"name": "ground", "boxes": [100,100,0,101,101,1]}, {"name": "cloud", "boxes": [50,0,40,60,10,50]}]})");
+  REQUIRE(refused(raised, ""));
+  REQUIRE(!refused(raised, " --grounded"));
+  REQUIRE(refused(folder.write("high.json", R"({"format": "visibility-scene/1", "objects": [
+    {"name": "high", "boxes": [50,0,40,60,10,50]}]})"),
+                  ""));  // the cell lies below it
 }
 
 TEST_CASE("command line: --grounded is recorded, and check asks for it", "[commands]")
