@@ -62,6 +62,37 @@ inline EdgeRange crossed_range(Funnel const& lines, PlanGate const& e)
   return {std::max(0.0, range.low), std::min(1.0, range.high)};
 }
 
+/// How far lines from a source to a target pass above an edge, as volumes at the four pairs of ends, each with an error
+/// of at most `error`. In between it is bilinear, so extremes over ranges of positions are those at their corners.
+struct WedgeVolumes {
+  std::array<double, 4> volume{};  ///< left-left, right-left, left-right, right-right: source, then target
+  double error = 0;                ///< infinite or NaN: nothing is known
+
+  double at(double s, double t) const
+  {
+    return (1 - s) * ((1 - t) * volume[0] + t * volume[2]) + s * ((1 - t) * volume[1] + t * volume[3]);
+  }
+  double highest(EdgeRange const& s, EdgeRange const& t) const
+  {
+    return std::max(std::max(at(s.low, t.low), at(s.low, t.high)), std::max(at(s.high, t.low), at(s.high, t.high)));
+  }
+  double lowest(EdgeRange const& s, EdgeRange const& t) const
+  {
+    return std::min(std::min(at(s.low, t.low), at(s.low, t.high)), std::min(at(s.high, t.low), at(s.high, t.high)));
+  }
+  /// No line within the ranges passes above the edge; certain.
+  bool clearly_hides(EdgeRange const& s, EdgeRange const& t) const { return highest(s, t) < -error; }
+  /// Every line within the ranges does; certain.
+  bool certainly_above(EdgeRange const& s, EdgeRange const& t) const { return lowest(s, t) > error; }
+  /// Makes room for the few roundings of the interpolation.
+  void widen()
+  {
+    double largest = 0;
+    for (double const v : volume) largest = std::max(largest, std::fabs(v));
+    error += 0x1p-48 * largest;
+  }
+};
+
 /// The four shadow planes of an occluder edge under a source edge, as seen along a target edge: how far the line from
 /// an end of the source to an end of the target passes above the occluder, as a volume (orient3d). For positions
 /// between the ends the volume is bilinear, so its extremes over ranges of positions are those at the four corners. The
@@ -73,15 +104,13 @@ public:
                 PortalSequence::Edge const& occluder)
     : source_(source), target_(target), occluder_(occluder)
   {
-    double largest = 0;
     for (int i = 0; i < 4; ++i) {
       Enclosed const e = detail::enclosed_orient3d(source_end(i), target_end(i), occluder.right, occluder.left);
-      volume_[static_cast<std::size_t>(i)] = e.value;
-      error_ = std::max(error_, e.error);
-      largest = std::max(largest, std::fabs(e.value));
-      undefined_ |= !(e.error < infinity);
+      volumes_.volume[static_cast<std::size_t>(i)] = e.value;
+      volumes_.error = std::max(volumes_.error, std::isfinite(e.error) ? e.error : HUGE_VAL);
     }
-    error_ = A::is_exact ? error_ + 0x1p-48 * largest : 0;  // of the interpolation below: a few roundings
+    volumes_.widen();
+    if (!A::is_exact) volumes_.error = 0;
   }
 
   /// No line from the source to the target within the ranges passes strictly above the occluder. May be false although
@@ -89,38 +118,21 @@ public:
   bool certainly_hides(EdgeRange const& s, EdgeRange const& t) const
   {
     if constexpr (!std::same_as<A, Rational>) {
-      if (undefined_) return exactly_hides();
-      double const highest = extreme(s, t, [](double a, double b) { return std::max(a, b); });
-      if (highest < -error_) return true;
-      if (highest > error_) return false;
+      double const highest = volumes_.highest(s, t);
+      if (highest < -volumes_.error) return true;
+      if (highest > volumes_.error) return false;
     }
     return exactly_hides();
   }
 
-  /// Every line from the source to the target within the ranges passes above the occluder, or touches it.
-  bool certainly_above(EdgeRange const& s, EdgeRange const& t) const
-  {
-    if (undefined_) return false;
-    return extreme(s, t, [](double a, double b) { return std::min(a, b); }) > error_;
-  }
-
+  bool clearly_hides(EdgeRange const& s, EdgeRange const& t) const { return volumes_.clearly_hides(s, t); }
+  bool certainly_above(EdgeRange const& s, EdgeRange const& t) const { return volumes_.certainly_above(s, t); }
   /// Approximate height of the line above the occluder, as a volume.
-  double at(double s, double t) const
-  {
-    return (1 - s) * ((1 - t) * volume_[0] + t * volume_[2]) + s * ((1 - t) * volume_[1] + t * volume_[3]);
-  }
+  double at(double s, double t) const { return volumes_.at(s, t); }
 
 private:
-  static constexpr double infinity = std::numeric_limits<double>::infinity();
-
   Point3d const& source_end(int i) const { return (i & 1) == 0 ? source_.left : source_.right; }
   Point3d const& target_end(int i) const { return (i & 2) == 0 ? target_.left : target_.right; }
-
-  template <class Extreme>
-  double extreme(EdgeRange const& s, EdgeRange const& t, Extreme pick) const
-  {
-    return pick(pick(at(s.low, t.low), at(s.low, t.high)), pick(at(s.high, t.low), at(s.high, t.high)));
-  }
 
   bool exactly_hides() const
   {
@@ -130,9 +142,21 @@ private:
   }
 
   PortalSequence::Edge const &source_, &target_, &occluder_;
-  std::array<double, 4> volume_{};
-  double error_ = 0;
-  bool undefined_ = false;
+  WedgeVolumes volumes_;
 };
+
+/// Whether the wedges together hide all positions in the ranges: each part of a division into at most 4^depth has one
+/// that hides it. The wedges must share source and target. May be false although they do.
+template <class Wedges>
+bool hide_together(Wedges const& wedges, EdgeRange const& s, EdgeRange const& t, int depth)
+{
+  if (std::ranges::any_of(wedges, [&](auto const& w) { return w.clearly_hides(s, t); })) return true;
+  if (depth == 0 || std::ranges::all_of(wedges, [&](auto const& w) { return w.certainly_above(s, t); })) return false;
+  double const middle_s = s.low / 2 + s.high / 2, middle_t = t.low / 2 + t.high / 2;
+  for (EdgeRange const& half_s : {EdgeRange{s.low, middle_s}, EdgeRange{middle_s, s.high}})
+    for (EdgeRange const& half_t : {EdgeRange{t.low, middle_t}, EdgeRange{middle_t, t.high}})
+      if (!hide_together(wedges, half_s, half_t, depth - 1)) return false;
+  return true;
+}
 
 }  // namespace visibility

@@ -5,14 +5,16 @@ namespace visibility::exact_25d {
 /// What hides an edge.
 enum class Occlusion {
   exact,         ///< all edges together
-  single_wedges  ///< one edge at a time, by its penumbra wedge: a typical conservative method [Bittner05, §6.2]
+  single_wedges  ///< one edge at a time, by its penumbra wedge: a typical conservative method [Bittner05, §6.2]. How
+                 ///< loose it is depends on the divisions of line space and on the arithmetic
 };
 
 /// The answer depends on `occlusion` and `occluder_shrink` only.
 struct Options {
   Occlusion occlusion = Occlusion::exact;
-  /// Radians by which every occluder is shortened at both ends, as seen from the middle of the cell: simulates a method
-  /// that samples line space with this spacing [Bittner05, §6.3, table 4]. The guarantee is then `none`.
+  /// Times the distance from the middle of the cell, the length by which every occluder is shortened at both ends:
+  /// simulates a method that samples line space with this spacing [Bittner05, §6.3, table 4]. The guarantee is then
+  /// `none`.
   double occluder_shrink = 0;
   bool hierarchical_culling = true;  ///< drop groups of edges that the occlusion tree hides
   bool penumbra_wedges = true;       ///< decide by shadow planes where they suffice

@@ -26,18 +26,20 @@ public:
     return true;
   }
 
-  /// Whether no line from the source, between its positions, to the part passes above the edge.
-  bool is_hidden_by(PortalSequence::Edge const& source, EdgeRange const& s, PortalSequence::Edge const& f) const
+  /// The penumbra wedge of an edge under a source, as seen along the part.
+  WedgeVolumes wedge(PortalSequence::Edge const& source, PortalSequence::Edge const& f) const
   {
-    CGAL::Protect_FPU_rounding<true> const upward;
-    for (auto const& e : ends_) {
-      Interval const left = above(source.left, e, f), right = above(source.right, e, f);
-      for (double const at : {s.low, s.high}) {
-        Interval const position(at);
-        if (!(((Interval(1) - position) * left + position * right).sup() < 0)) return false;
+    WedgeVolumes out;
+    {
+      CGAL::Protect_FPU_rounding<true> const upward;
+      for (std::size_t i = 0; i < 4; ++i) {
+        Interval const v = above((i & 1) == 0 ? source.left : source.right, ends_[i / 2], f);
+        out.volume[i] = v.inf() / 2 + v.sup() / 2;
+        out.error = std::max(out.error, v.sup() - v.inf());
       }
     }
-    return true;
+    out.widen();
+    return out;
   }
 
   double least_height() const { return std::min(ends_[0][2].inf(), ends_[1][2].inf()); }

@@ -54,6 +54,7 @@ private:
   using Index = typename Tree::Index;
   using Edge = PortalSequence::Edge;
   enum class Find { visible, blocked, nothing };
+  static constexpr int wedge_depth = 4;      // a choice
   static constexpr int most_retries = 1000;  // rounding may undo what a new blocker does; exact arithmetic has no need
 
   void traverse();
@@ -260,15 +261,23 @@ template <Arithmetic A>
 bool Search<A>::is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target,
                                EdgeRange const& t, bool as_occluder) const
 {
-  return std::ranges::any_of(tree_.leaf(leaf).blockers, [&](typename Tree::Blocker const& f) {
-    if (!f.everywhere || f.edge == target) return f.edge == target && as_occluder;
+  boost::container::small_vector<PenumbraWedge<A>, 4> wedges;
+  for (auto const& f : tree_.leaf(leaf).blockers) {
+    if (f.edge == target) {
+      if (as_occluder) return true;
+      continue;
+    }
+    if (!f.everywhere) continue;
     auto const order = plan_order<A>(gate(target), gate(f.edge));
-    if (order != PlanOrder::before && !(as_occluder && order == PlanOrder::collinear)) return false;
-    return PenumbraWedge<A>(source, target, f.edge).certainly_hides(s, t);
-  });
+    if (order != PlanOrder::before && !(as_occluder && order == PlanOrder::collinear)) continue;
+    wedges.emplace_back(source, target, f.edge);
+    if (wedges.back().certainly_hides(s, t)) return true;
+  }
+  return options_.occlusion == Occlusion::exact && !std::same_as<A, Rational> && wedges.size() > 1 &&
+         hide_together(wedges, s, t, wedge_depth);
 }
 
-/// Whether single edges hide the target from every source. As an occluder it is then of no use either.
+/// Whether penumbra wedges hide the target from every source. As an occluder it is then of no use either.
 template <Arithmetic A>
 bool Search<A>::is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed,
                           bool as_occluder)
@@ -294,9 +303,13 @@ bool Search<A>::is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part
   auto const& l = tree_.leaf(leaf);
   auto const is_hidden_from = [&](Edge const& source) {
     EdgeRange const s = crossed_range(lines, gate(source));
-    return std::ranges::any_of(l.blockers, [&](typename Tree::Blocker const& f) {
-      return f.everywhere && part.is_ahead_of(f.edge) && part.is_hidden_by(source, s, f.edge);
-    });
+    boost::container::small_vector<WedgeVolumes, 4> wedges;
+    for (auto const& f : l.blockers) {
+      if (!f.everywhere || !part.is_ahead_of(f.edge)) continue;
+      wedges.push_back(part.wedge(source, f.edge));
+      if (wedges.back().clearly_hides(s, {})) return true;
+    }
+    return options_.occlusion == Occlusion::exact && wedges.size() > 1 && hide_together(wedges, s, {}, wedge_depth);
   };
   bool const falls = !cell_.flat || part.least_height() < cell_.top;
   bool const rises = !cell_.flat || part.greatest_height() >= cell_.top;
@@ -314,17 +327,16 @@ void Search<A>::scan(CrossedEdge const& crossed)
   box.extend(e.a);
   box.extend(e.b);
   auto const object = field_.object_of(e);
-  std::optional<Target> target;
-  if (!is_visible_[object]) {
-    target.emplace(field_, crossed);
-    if (is_flush(*target)) is_visible_[object] = true;
-  }
+  std::optional<Target> const target(std::in_place, field_, crossed);
+  // What is buried in other columns is no use as an occluder: they are in the way already.
+  if (target->is_covered()) return;
+  if (!is_visible_[object] && is_flush(*target)) is_visible_[object] = true;
   bool is_open = false;
   int retries = 0;
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
     if (!is_ahead(leaf, edge)) return false;
     ++counts_.portal_tests;
-    bool const is_target = !is_visible_[object] && !target->is_covered();
+    bool const is_target = !is_visible_[object];
     if (is_hidden(leaf, lines, edge, {}, true)) {
       ++counts_.wedge_hidden;
       // What an edge of equal height in the same place hides as an occluder may still be seen.
