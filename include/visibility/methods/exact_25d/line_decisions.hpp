@@ -1,0 +1,94 @@
+#pragma once
+
+/// How a search decides by portal sequences.
+#include "visibility/methods/exact_25d/search.hpp"
+
+namespace visibility::exact_25d {
+
+/// The questions that the exposed parts of a target put in a leaf, one for each source, until one is answered.
+template <Arithmetic A>
+auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& target) -> Find
+{
+  for (auto const& source : sources(leaf, target.edge())) {
+    PortalQuestion<A> question(lines, source, target.edge());
+    auto const answer = [&](Point3q const& start, Point3q const& end) {
+      return confirm(
+        leaf, start, end,
+        [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker(p, q, target.crossed()); },
+        [&](Point3q const& p) { found(target.crossed(), p, end); });
+    };
+    for (auto const& part : target.parts()) {
+      if (auto const find = ask(question.within(target.point(part.low), target.point(part.high)), leaf, answer);
+          find != Find::nothing)
+        return find;
+    }
+    if (target.is_fully_exposed())
+      if (auto const find = ask(question, leaf, answer); find != Find::nothing) return find;
+  }
+  return Find::nothing;
+}
+
+/// The same for a part of a seam, which has constructed ends.
+template <Arithmetic A>
+auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column) -> Find
+{
+  PortalSequence::ConstructedEdge const target{part.left, part.right};
+  for (auto const& source : all_sources(leaf)) {
+    // From the near side to the far one: a funnel through the sides of the column holds lines of both directions.
+    auto const question =
+      PortalQuestion<A>(lines, source, target).within(horizontal(part.left), horizontal(part.right));
+    auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
+      return confirm(
+        leaf, start, end, [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); },
+        [&](Point3q const& p) { found(column, true, p, end); });
+    });
+    if (find != Find::nothing) return find;
+  }
+  return Find::nothing;
+}
+
+template <Arithmetic A>
+template <class Answer>
+auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Answer const& answer) -> Find
+{
+  auto const& l = tree_.leaf(leaf);
+  for (auto const& f : l.blockers)
+    question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
+  Find find = Find::nothing;
+  question.any_line([&](Point3q const& start, Point3q const& end) {
+    find = answer(start, end);
+    return find != Find::nothing;
+  });
+  return find;
+}
+
+/// Holds a sight line from edge to edge against the whole scene: as its conditions are open, it may start a little
+/// inside the cell and end a little below the target's top.
+template <Arithmetic A>
+template <class Shoot, class Found>
+auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot,
+                        Found const& found_from) -> Find
+{
+  if (!A::is_exact || options_.occluder_shrink > 0) return found_from(start), Find::visible;
+  auto const between = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
+    return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
+  };
+  RationalNumber step(0x1p-8);
+  for (int i = 0; i < 12; ++i, step = step * step) {
+    Point3q const p = between(start, middle_, step);
+    Point3q low = end;
+    low.z = end.z - step;
+    Point3q const q = between(p, low, RationalNumber(1) + step);
+    ++counts_.shots;
+    auto const blocker = shoot(p, q);
+    if (!blocker) return found_from(p), Find::visible;
+    Edge const edge = portal(field_, *blocker);
+    if (holds(leaf, edge)) continue;
+    ++counts_.shots_blocked;
+    insert(*blocker);
+    if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
+  }
+  throw std::logic_error("a sight line is stopped by an edge that it was found to pass");
+}
+
+}  // namespace visibility::exact_25d

@@ -1,0 +1,92 @@
+#pragma once
+
+/// How a search tries sight lines in floating point.
+#include "visibility/methods/exact_25d/search.hpp"
+
+namespace visibility::exact_25d {
+
+template <Arithmetic A>
+bool Search<A>::in_interior(Point3d const& p) const
+{
+  if (view_.is_box()) {
+    auto const& b = view_.bounds();
+    return b.min.x < p.x && p.x < b.max.x && b.min.y < p.y && p.y < b.max.y && b.min.z < p.z && p.z < b.max.z;
+  }
+  auto const& shape = view_.shape();
+  return std::ranges::all_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
+    auto const& v = shape.vertices;
+    return is_negative(orient3d<A>(v[f.vertices[0]], v[f.vertices[1]], v[f.vertices[2]], p));
+  });
+}
+
+/// Tries sight lines in the middle and near the corners of the polygon of lines, where the clearance is greatest.
+template <Arithmetic A>
+auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> Find
+{
+  Edge const& target = whole.edge();
+  CrossedEdge const& crossed = whole.crossed();
+  auto const& vertices = lines.vertices();
+  std::size_t const n = vertices.size();
+  // The lines as homogeneous vectors of equal size, by the sides of the four ends.
+  struct Sides {
+    double source_left, source_right, target_left, target_right;
+  };
+  auto const from = sources(leaf, target);
+  std::size_t const outer = from.size() - 2 * cell_.inner.size();
+  for (std::size_t k = 0; k < outer; ++k) {
+    Edge const source = from[k];
+    boost::container::small_vector<Sides, 8> sides;
+    for (auto const& v : vertices) {
+      double const dx = v.q.x - v.p.x, dy = v.q.y - v.p.y, size = std::hypot(dx, dy);
+      auto const side = [&](Point3d const& x) { return (dx * (x.y - v.p.y) - dy * (x.x - v.p.x)) / size; };
+      sides.push_back({side(source.left), side(source.right), side(target.left), side(target.right)});
+    }
+    boost::container::small_vector<PenumbraWedge<A>, 4> wedges;
+    for (auto const& f : tree_.leaf(leaf).blockers)
+      if (plan_order<A>(gate(target), gate(f.edge)) == PlanOrder::before) wedges.emplace_back(source, target, f.edge);
+    for (std::size_t j = 0; j <= n; ++j) {
+      Sides sum{0, 0, 0, 0};
+      for (std::size_t i = 0; i < n; ++i) {
+        double const w = (i + 1 == j ? 8.0 : 1.0) + 0.1 * static_cast<double>(i);
+        sum = {sum.source_left + w * sides[i].source_left, sum.source_right + w * sides[i].source_right,
+               sum.target_left + w * sides[i].target_left, sum.target_right + w * sides[i].target_right};
+      }
+      double const s = sum.source_left / (sum.source_left - sum.source_right);
+      double const t = sum.target_left / (sum.target_left - sum.target_right);
+      if (!(s > 0 && s < 1 && whole.may_be_exposed(t))) continue;
+      if (std::ranges::any_of(wedges, [&](auto const& w) { return !(w.at(s, t) > 0); })) continue;
+      auto const between = [](Point3d const& a, Point3d const& b, double x) {
+        return Point3d{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
+      };
+      for (double const step : {0x1p-20, 0x1p-30}) {
+        Point3d const p = between(between(source.left, source.right, s), near_middle_, step);
+        Point3d q = between(target.left, target.right, t);
+        q.z -= step * (cell_.top - cell_.bottom);
+        q = between(p, q, 1 + 0x1p-20);
+        if (!in_interior(p)) continue;
+        // The line must reach the edge between its ends, from behind, and below its top.
+        if (!is_positive(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.left))) ||
+            !is_negative(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.right))) ||
+            !is_negative(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(p))) ||
+            !is_positive(orient2d<A>(horizontal(target.left), horizontal(target.right), horizontal(q))) ||
+            !is_negative(orient3d<A>(p, q, target.right, target.left)) || !whole.is_exposed(p, q))
+          continue;
+        if (options_.occluder_shrink > 0) return simulated(crossed);
+        ++counts_.shots;
+        auto const blocker = shot_.first_blocker(p, q, crossed);
+        if (!blocker) {
+          found(crossed, exact(p), options_.witnesses ? whole.crossing(p, q) : exact(p));
+          return Find::visible;
+        }
+        Edge const edge = portal(field_, *blocker);
+        if (holds(leaf, edge)) continue;  // too far below the top: closer
+        ++counts_.shots_blocked;
+        insert(*blocker);
+        if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
+      }
+    }
+  }
+  return Find::nothing;
+}
+
+}  // namespace visibility::exact_25d
