@@ -115,12 +115,38 @@ TEST_CASE("portal decision: the parts of the target are where it is seen", "[lin
           return is_negative(compare(p.low, high)) && is_positive(compare(p.high, low));
         });
         CHECK(PortalDecision<RationalNumber>(at_target(q, t, hair)).exists() == meets);
+        CHECK(PortalDecision<ExactNumber>(at_target(q, R(k, 17), hair)).exists() ==
+              PortalDecision<RationalNumber>(at_target(q, R(k, 17), hair)).exists());
         ++(meets ? inside : outside);
       }
     }
   }
   CHECK(inside > trials(100));
   CHECK(outside > trials(100));
+}
+
+TEST_CASE("portal decision: a constructed target is like any other", "[line_space][oracle]")
+{
+  for (auto const family : all_portal_families) {
+    PortalSource source(family, 80);
+    for (int i = 0; i < trials(60); ++i) {
+      CAPTURE(name(family), i);
+      auto const whole = source.sequence(i % 4);
+      auto part = whole;
+      R const low(source.random().between(0, 6), 7), high = low + R(1, 11);
+      part.constructed_target = {between(whole.target.left, whole.target.right, low),
+                                 between(whole.target.left, whole.target.right, high)};
+      auto within = whole;
+      for (auto const& [t, side] :
+           {std::pair(low, PortalSequence::Side::left), std::pair(high, PortalSequence::Side::right)})
+        within.constructed_points.push_back({horizontal(between(whole.target.left, whole.target.right, t)), side});
+      PortalDecision<ExactNumber> const decision(part);
+      CHECK(decision.exists() == PortalDecision<RationalNumber>(part).exists());
+      CHECK(decision.exists() == PortalDecision<ExactNumber>(within).exists());
+      if (auto const line = decision.find())
+        CHECK(is_sight_line(whole, line->source, low + line->target * (high - low)));
+    }
+  }
 }
 
 TEST_CASE("quadratic numbers: comparison agrees with bisection in rationals", "[line_space][oracle]")

@@ -37,18 +37,18 @@ struct BilinearForm {
 template <class NT>
 class PortalDecision {
 public:
-  /// Requires: rational or floating-point numbers if the sequence has constructed points or a constructed target.
+  /// Constructed points and ends of the target have a common denominator, by which their conditions are multiplied.
   explicit PortalDecision(PortalSequence const& sequence)
   {
     source_ = {number(sequence.source.left), number(sequence.source.right)};
-    if (sequence.constructed_target)
-      target_ = {number(sequence.constructed_target->left), number(sequence.constructed_target->right)};
+    if (auto const& target = sequence.constructed_target)
+      target_ = {homogeneous(target->left), homogeneous(target->right)};
     else
-      target_ = {number(sequence.target.left), number(sequence.target.right)};
+      target_ = {Homogeneous{number(sequence.target.left), NT(1)}, Homogeneous{number(sequence.target.right), NT(1)}};
     for (auto const& f : sequence.occluders) add(occluder_form(f));
-    for (auto const& x : sequence.points) add(point_form(Point2<NT>{NT(x.point.x), NT(x.point.y)}, x.side));
+    for (auto const& x : sequence.points) add(point_form({{NT(x.point.x), NT(x.point.y), NT(0)}, NT(1)}, x.side));
     for (auto const& x : sequence.constructed_points)
-      add(point_form(Point2<NT>{number(x.point.x), number(x.point.y)}, x.side));
+      add(point_form(homogeneous({x.point.x, x.point.y, RationalNumber(0)}), x.side));
   }
 
   /// A sight line by its parameters on source and target.
@@ -61,13 +61,15 @@ public:
   {
     auto const open = positions(forms_);
     if (open.empty()) return std::nullopt;
-    auto const s = dyadic_inside<NT>(open.intervals().front());
-    return SightLine{rational(s.p) / rational(s.r), middle_target(rational(s.p) / rational(s.r))};
+    auto const inside = dyadic_inside<NT>(open.intervals().front());
+    RationalNumber const s = rational(inside.p) / rational(inside.r), t = middle_target(s);
+    RationalNumber const left = (RationalNumber(1) - t) * rational(target_[0].w), right = t * rational(target_[1].w);
+    return SightLine{s, right / (left + right)};
   }
   bool exists() const { return !positions(forms_).empty(); }
 
   /// The parts of the source edge that see the target, and those of the target edge that are seen: the antipenumbra's
-  /// traces. End points are exact quadratic numbers.
+  /// traces. End points are exact quadratic numbers. Requires of `target_parts`: the target is not constructed.
   IntervalSet<NT> source_parts() const { return positions(forms_); }
   IntervalSet<NT> target_parts() const
   {
@@ -82,16 +84,33 @@ private:
   using Linear = std::array<NT, 2>;  // constant and slope
 
   static Point number(Point3d const& p) { return {NT(p.x), NT(p.y), NT(p.z)}; }
-  static Point number(Point3q const& p) { return {number(p.x), number(p.y), number(p.z)}; }
-  static NT number(RationalNumber const& x)
+  /// The point p / w. Invariant: w > 0.
+  struct Homogeneous {
+    Point p;
+    NT w;
+  };
+  static Homogeneous homogeneous(Point3q const& q)
   {
-    if constexpr (std::is_same_v<NT, RationalNumber>)
-      return x;
-    else if constexpr (std::is_same_v<NT, double>)
-      return CGAL::to_double(x);
-    else
-      throw std::logic_error("constructed points need a field");
+    if constexpr (std::is_same_v<NT, RationalNumber>) {
+      return {q, NT(1)};
+    } else if constexpr (std::is_same_v<NT, double>) {
+      return {{CGAL::to_double(q.x), CGAL::to_double(q.y), CGAL::to_double(q.z)}, 1.0};
+    } else {
+      using Integer = CGAL::Gmpz;
+      auto const common = [](Integer const& a, Integer const& b) {
+        return Integer(a * CGAL::integral_division(b, CGAL::gcd(a, b)));
+      };
+      Integer const w = common(common(q.x.denominator(), q.y.denominator()), q.z.denominator());
+      auto const scaled = [&](RationalNumber const& x) -> NT {
+        Integer const n = x.numerator() * CGAL::integral_division(w, x.denominator());
+        // CGAL 5.5 makes an Mpzf of an integer without its sign, and none of zero.
+        if (is_zero(sign_of(n))) return NT(0);
+        return is_negative(sign_of(n)) ? NT(0) - NT(Integer(-n)) : NT(n);
+      };
+      return {{scaled(q.x), scaled(q.y), scaled(q.z)}, NT(w)};
+    }
   }
+
   static RationalNumber rational(RationalNumber const& x) { return x; }
   static RationalNumber rational(double x) { return RationalNumber(x); }
 #ifdef CGAL_HAS_MPZF
@@ -109,19 +128,31 @@ private:
   }
 
   /// How far a plan point lies on its side of a line.
-  Form point_form(Point2<NT> const& x, PortalSequence::Side side) const
+  Form point_form(Homogeneous const& x, PortalSequence::Side side) const
   {
     return form([&](Point const& a, Point const& b) {
-      NT const turn = detail::Orient2dFormula{}(a.x, a.y, b.x, b.y, x.x, x.y);
+      NT const turn =
+        times(x, [&](Point const& y) -> NT { return detail::Orient2dFormula{}(a.x, a.y, b.x, b.y, y.x, y.y); });
       return side == PortalSequence::Side::left ? turn : NT(NT(0) - turn);
     });
+  }
+
+  /// w f(p / w) for a function that is affine in the point.
+  template <class Affine>
+  static NT times(Homogeneous const& q, Affine const& f)
+  {
+    if (q.w == NT(1)) return f(q.p);
+    return f(q.p) + (q.w - NT(1)) * f(Point{NT(0), NT(0), NT(0)});
   }
 
   template <class Condition>
   Form form(Condition const& at) const
   {
-    return Form::from_corners(at(source_[0], target_[0]), at(source_[1], target_[0]), at(source_[0], target_[1]),
-                              at(source_[1], target_[1]));
+    auto const corner = [&](Point const& source, Homogeneous const& target) -> NT {
+      return times(target, [&](Point const& t) -> NT { return at(source, t); });
+    };
+    return Form::from_corners(corner(source_[0], target_[0]), corner(source_[1], target_[0]),
+                              corner(source_[0], target_[1]), corner(source_[1], target_[1]));
   }
 
   /// Leaves out what holds on the whole open square.
@@ -141,7 +172,8 @@ private:
                                    QuadraticNumber<NT> const& high);
   RationalNumber middle_target(RationalNumber const& s) const;
 
-  std::array<Point, 2> source_, target_;  // left and right end
+  std::array<Point, 2> source_;        // left and right end
+  std::array<Homogeneous, 2> target_;  // positions in between are weighted by w
   std::vector<Form> forms_;
 };
 

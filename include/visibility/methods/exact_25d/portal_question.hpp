@@ -8,6 +8,7 @@
 
 #include <concepts>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace visibility::exact_25d {
@@ -64,6 +65,7 @@ public:
 
 private:
   using Side = PortalSequence::Side;
+  using Number = std::conditional_t<std::same_as<A, Rational>, RationalNumber, ExactNumber>;
 
   /// An edge that counts for the lines that meet all conditions.
   struct Ambiguous {
@@ -116,8 +118,7 @@ bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept c
 {
   if (next == ambiguous_.size()) {
     if constexpr (!A::is_exact) return answer<double>(accept);
-    bool const is_constructed = sequence_.constructed_target || !sequence_.constructed_points.empty();
-    return std::same_as<A, Rational> || is_constructed ? answer<RationalNumber>(accept) : answer<ExactNumber>(accept);
+    return answer<Number>(accept);
   }
   auto const& [edge, conditions] = ambiguous_[next];
   auto const& [other, before] = conditions[condition];
@@ -131,7 +132,7 @@ bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept c
     sequence_.constructed_points.push_back({crossing, s});
     bool accepted = false;
     // Several edges through one funnel: most combinations of sides have no lines.
-    bool const is_empty = ambiguous_.size() > 1 && A::is_exact && !PortalDecision<RationalNumber>(sequence_).exists();
+    bool const is_empty = ambiguous_.size() > 1 && A::is_exact && !PortalDecision<Number>(sequence_).exists();
     if (is_empty)
       accepted = false;
     else if (is_before != before)
