@@ -7,6 +7,7 @@
 #include "visibility/scene/generators.hpp"
 
 #include <map>
+#include <set>
 
 using namespace visibility;
 using namespace visibility::test;
@@ -74,20 +75,6 @@ bool exposed_at(HeightField const& field, std::uint32_t edge, Crossing crossing,
     if (sees_top ? top > top_over(field, own, p.at) : top >= p.height - NT(0x1p-100)) return false;
   }
   return true;
-}
-
-/// Whether an edge of the column passes through the point of `e` at t, along it.
-bool has_edge_along(HeightField const& field, std::uint32_t column, HeightField::TopEdge const& e, NT const& t)
-{
-  auto const a = exact(e.a), b = exact(e.b);
-  NT const dx = b.x - a.x, dy = b.y - a.y;
-  auto const along = [&](Point3d const& p) -> NT {
-    return ((NT(p.x) - a.x) * dx + (NT(p.y) - a.y) * dy) / (dx * dx + dy * dy);
-  };
-  auto const on_line = [&](Point3d const& p) { return (NT(p.x) - a.x) * dy == (NT(p.y) - a.y) * dx; };
-  return std::ranges::any_of(field.edges(), [&](auto const& f) {
-    return f.column == column && on_line(f.a) && on_line(f.b) && (along(f.a) - t) * (along(f.b) - t) < 0;
-  });
 }
 
 /// What is exposed of every edge, by object, column, edge and crossing. Columns that coincide must agree.
@@ -240,4 +227,53 @@ TEST_CASE("exposed parts: inside a part iff no column covers the point", "[scene
   }
   REQUIRE(covered > 100);
   REQUIRE(partly > 100);
+}
+
+TEST_CASE("exposed parts: laws of order, rotation and split", "[scene][law]")
+{
+  int common = 0;
+  for (int seed = 1; seed <= trials(60); ++seed) {
+    CAPTURE(seed);
+    Random random(static_cast<std::uint64_t>(seed) + 1000);
+    auto const shapes = random_shapes(random, random.between(2, 10), random.between(3, 6));
+    Scene const scene = scene_of(shapes);
+    HeightField const field(scene);
+    Table const expected = table(field);
+
+    Scene reversed = scene;
+    std::ranges::reverse(reversed.objects);
+    REQUIRE(compare_common(expected, table(HeightField(reversed))) == static_cast<int>(expected.size()));
+
+    Scene rotated = scene;
+    for (auto& t : rotated.triangles) std::ranges::rotate(t, t.begin() + random.below(3));
+    REQUIRE(compare_common(expected, table(HeightField(rotated))) == static_cast<int>(expected.size()));
+
+    // Boxes and triangles cut in two; the edges of the other objects, and the uncut ones of these, stay what they are.
+    auto split = shapes;
+    for (auto& shape : split) {
+      if (random.chance(0.3)) continue;
+      for (std::size_t i = 0, n = shape.boxes.size(); i < n; ++i) {
+        double const x = shape.boxes[i].min.x + 1;
+        shape.boxes.push_back(shape.boxes[i]);
+        shape.boxes[i].max.x = shape.boxes.back().min.x = x;
+      }
+      for (std::size_t i = 0, n = shape.triangles.size(); i < n; ++i) {
+        auto& [a, b, c] = shape.triangles[i].vertices;
+        Point3d const m{(a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2};
+        shape.triangles.push_back({{m, b, c}});
+        shape.triangles[i].vertices[1] = m;
+      }
+    }
+    Scene const cut = scene_of(split);
+    common += compare_common(expected, table(HeightField(cut)));
+  }
+  REQUIRE(common > 1000);
+}
+
+TEST_CASE("exposed parts: in a city of separate boxes every edge is exposed but where towers stand flush", "[scene]")
+{
+  Scene const scene = generate("city,n=400");
+  HeightField const field(scene);
+  for (std::uint32_t i = 0; i < field.edges().size(); ++i)
+    for (auto const crossing : {Crossing::entering, Crossing::leaving}) REQUIRE(exposed_parts(field, i, crossing).all);
 }
