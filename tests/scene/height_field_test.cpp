@@ -60,6 +60,7 @@ void check(HeightField const& field)
     if (!c.is_flat) REQUIRE(c.count <= 3);
     Box& b = bounds.emplace_back();
     for (auto const& p : corners) b.extend(p);
+    b.min.z = std::min(HeightField::bottomless, 2 * b.min.z);
   }
   field.column_hierarchy().validate(bounds);
   bounds.clear();
@@ -70,6 +71,7 @@ void check(HeightField const& field)
     REQUIRE(!(horizontal(e.a) == horizontal(e.b)));
     bounds.emplace_back().extend(e.a);
     bounds.back().extend(e.b);
+    bounds.back().min.z = std::min(HeightField::bottomless, 2 * bounds.back().min.z);
     for (auto const& p : field.corners(field.columns()[e.column]))  // convex, and to the left
       REQUIRE(!is_negative(orient2d<Filtered>(horizontal(e.a), horizontal(e.b), horizontal(p))));
   }
