@@ -7,53 +7,19 @@
 // output, JSON to FILE.
 
 #include "experiments.hpp"
-
-#include <cstring>
-#include <functional>
+#include "run_experiments.hpp"
 
 using namespace visibility::bench;
 namespace experiments = visibility::bench::strong_occlusion;
 
 int main(int argc, char** argv)
 {
-  std::vector<std::pair<std::string, std::function<void(Report&, experiments::Size)>>> const all{
-    {"cell-sizes", experiments::cell_sizes},
-    {"ranks", experiments::ranks},
-    {"levels", experiments::levels},
-    {"spheres", experiments::spheres},
-    {"optimizations", experiments::optimizations},
-    {"cities", experiments::cities},
-    {"scale", experiments::scale}};
-  auto size = experiments::Size::full;
-  std::string json, command = "strong_occlusion_bench";
-  std::vector<std::string> names;
-  for (int i = 1; i < argc; ++i) {
-    command += std::string(" ") + argv[i];
-    if (std::strcmp(argv[i], "--smoke") == 0)
-      size = experiments::Size::smoke;
-    else if (std::strcmp(argv[i], "--json") == 0 && i + 1 < argc)
-      json = argv[++i];
-    else
-      names.emplace_back(argv[i]);
-  }
-  Report report("strong_occlusion", command);
-  std::size_t run = 0;
-  try {
-    for (auto const& [name, experiment] : all)
-      if (std::ranges::find(names, name) != names.end() || std::ranges::find(names, "all") != names.end()) {
-        experiment(report, size);
-        ++run;
-      }
-    if (run == 0 || (run < names.size() && run < all.size())) {
-      std::cerr << "usage: strong_occlusion_bench NAME... [--json FILE] [--smoke]; NAME is all";
-      for (auto const& [name, experiment] : all) std::cerr << ", " << name;
-      std::cerr << '\n';
-      return 2;
-    }
-    report.print(std::cout);
-    if (!json.empty()) report.write_json(json);
-  } catch (std::exception const& e) {
-    std::cerr << e.what() << '\n';
-    return 1;
-  }
+  std::vector<Experiment<experiments::Size>> const all{{"cell-sizes", experiments::cell_sizes},
+                                                       {"ranks", experiments::ranks},
+                                                       {"levels", experiments::levels},
+                                                       {"spheres", experiments::spheres},
+                                                       {"optimizations", experiments::optimizations},
+                                                       {"cities", experiments::cities},
+                                                       {"scale", experiments::scale}};
+  return run_experiments("strong_occlusion", all, argc, argv);
 }
