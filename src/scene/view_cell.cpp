@@ -8,6 +8,19 @@
 
 namespace visibility {
 
+namespace {
+
+template <Arithmetic A, class NT>
+bool strictly_inside(ConvexPolyhedron const& shape, Point3<NT> const& p)
+{
+  return std::ranges::all_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
+    auto const v = [&](std::size_t i) { return detail::as<NT>(shape.vertices[f.vertices[i]]); };
+    return is_negative(orient3d<A>(v(0), v(1), v(2), p));
+  });
+}
+
+}  // namespace
+
 ViewCell::ViewCell(Box const& box)
 {
   if (!is_finite(box.min) || !is_finite(box.max)) throw std::invalid_argument("a cell coordinate is not finite");
@@ -30,6 +43,16 @@ ViewCell ViewCell::hull(std::span<Point3d const> points)
                  });
   return cell;
 }
+
+bool in_interior(ViewCell const& cell, Point3d const& p)
+{
+  Box const& b = cell.bounds();
+  bool const inside =
+    b.min.x < p.x && p.x < b.max.x && b.min.y < p.y && p.y < b.max.y && b.min.z < p.z && p.z < b.max.z;
+  return inside && (cell.is_box() || strictly_inside<Filtered>(cell.shape(), p));
+}
+
+bool in_interior(ViewCell const& cell, Point3q const& p) { return strictly_inside<Rational>(cell.shape(), p); }
 
 bool certainly_disjoint(ViewCell const& cell, Box const& box)
 {

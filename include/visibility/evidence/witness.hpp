@@ -11,10 +11,6 @@ namespace visibility {
 /// A witness whose ends coincide proves nothing.
 bool confirm(PreparedScene const& scene, ViewCell const& cell, Witness const& witness);
 
-/// Whether the point lies in the interior of the cell. Exact.
-bool in_interior(ViewCell const& cell, Point3d const& point);
-bool in_interior(ViewCell const& cell, Point3q const& point);
-
 /// Whether the object meets the closed cell, which makes it visible without a witness. Exact.
 bool meets_cell(PreparedScene const& scene, ViewCell const& cell, std::uint32_t object);
 

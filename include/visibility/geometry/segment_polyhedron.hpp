@@ -11,12 +11,6 @@ namespace visibility {
 
 namespace detail {
 
-template <class NT>
-Point3<NT> as(Point3d const& p)
-{
-  return {NT(p.x), NT(p.y), NT(p.z)};
-}
-
 /// Whether some facet's plane has p strictly outside and q outside or (End::excluded) on it.
 template <Arithmetic A, End end, class NT>
 bool beyond_facet(ConvexPolyhedron const& body, Point3<NT> const& p, Point3<NT> const& q)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/geometry/box.hpp"
+#include "visibility/kernel/point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,54 @@ private:
   Point3d from_;
   Axis x_, y_, z_;
   Box bounds_;
+};
+
+namespace detail {
+
+/// Bounds of every point within one rounding of the box: what encloses a rounded point's neighbourhood.
+class ProbeMargin {
+public:
+  ProbeMargin() = default;  ///< none: the probe's ends are exact
+  /// Room for ends whose coordinates were rounded, in any direction, by at most one unit in the last place.
+  ProbeMargin(Point3d const& p, Point3d const& q) : x_(margin(p.x, q.x)), y_(margin(p.y, q.y)), z_(margin(p.z, q.z)) {}
+  Box enlarge(Box const& b) const
+  {
+    if (x_ == 0) return b;
+    return {{down(b.min.x, x_), down(b.min.y, y_), down(b.min.z, z_)},
+            {up(b.max.x, x_), up(b.max.y, y_), up(b.max.z, z_)}};
+  }
+
+private:
+  static double margin(double a, double b) { return 0x1p-51 * std::max(std::fabs(a), std::fabs(b)) + 0x1p-1060; }
+  static double down(double v, double m) { return std::nextafter(v - m, -HUGE_VAL); }
+  static double up(double v, double m) { return std::nextafter(v + m, HUGE_VAL); }
+  double x_ = 0, y_ = 0, z_ = 0;
+};
+
+inline Point3d rounded(Point3d const& p) { return p; }
+inline Point3d rounded(Point3q const& p) { return {CGAL::to_double(p.x), CGAL::to_double(p.y), CGAL::to_double(p.z)}; }
+
+}  // namespace detail
+
+/// The same for a segment whose ends may be rationals: they are rounded, and boxes grow by what that may move.
+class EnclosingProbe {
+public:
+  EnclosingProbe(Point3d const& p, Point3d const& q) : probe_(p, q) {}
+  EnclosingProbe(Point3q const& p, Point3q const& q) : EnclosingProbe(around(detail::rounded(p), detail::rounded(q))) {}
+  /// Of ends that were rounded by at most one unit in the last place.
+  static EnclosingProbe around(Point3d const& p, Point3d const& q)
+  {
+    EnclosingProbe probe(p, q);
+    probe.margin_ = {p, q};
+    return probe;
+  }
+
+  /// `true` is certain, as above.
+  bool certainly_misses(Box const& b) const { return probe_.certainly_misses(margin_.enlarge(b)); }
+
+private:
+  SegmentProbe probe_;
+  detail::ProbeMargin margin_;
 };
 
 }  // namespace visibility

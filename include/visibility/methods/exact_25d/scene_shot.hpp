@@ -55,12 +55,6 @@ public:
 private:
   using Edge = PortalSequence::Edge;
 
-  template <class NT>
-  static Point3<NT> as(Point3d const& p)
-  {
-    return {NT(p.x), NT(p.y), NT(p.z)};
-  }
-
   /// The parameter along p -> q at which it crosses the line of an edge in plan.
   template <class NT>
   static RationalNumber position(Point3<NT> const& p, Point3<NT> const& q, Edge const& e)
@@ -91,7 +85,7 @@ std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> co
                                                IsBefore const& is_before) const
 {
   auto const& top = field_.edges()[edge];
-  auto const a = as<NT>(top.a), b = as<NT>(top.b);
+  auto const a = visibility::detail::as<NT>(top.a), b = visibility::detail::as<NT>(top.b);
   Sign const side_a = orient2d<Exactness>(horizontal(p), horizontal(q), horizontal(a));
   Sign const side_b = orient2d<Exactness>(horizontal(p), horizontal(q), horizontal(b));
   if (side_a == side_b) return {};  // passed on one side, or along the edge
@@ -110,22 +104,12 @@ std::optional<CrossedEdge> SceneShot<A>::highest(Point3<NT> const& p, Point3<NT>
                                                  IsBefore const& is_before) const
 {
   using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
-  auto const rounded = [](Point3<NT> const& x) {
-    return Point3d{CGAL::to_double(x.x), CGAL::to_double(x.y), CGAL::to_double(x.z)};
-  };
-  Point3d const from = rounded(p), to = rounded(q);
-  SegmentProbe const probe(from, to);
-  auto const size = [](Point3d const& x) { return std::fabs(x.x) + std::fabs(x.y) + std::fabs(x.z); };
-  double const room = std::same_as<NT, double> ? 0 : 0x1p-50 * (size(from) + size(to));  // for the rounding above
-  auto const may_meet = [&](Box b) {
-    b.min = {b.min.x - room, b.min.y - room, b.min.z};
-    b.max = {b.max.x + room, b.max.y + room, b.max.z + room};
-    return !probe.certainly_misses(b);
-  };
+  Point3d const from = visibility::detail::rounded(p);
+  EnclosingProbe const probe(p, q);
   std::optional<CrossedEdge> best;
   double steepest = 0;
   field_.edge_hierarchy().front_to_back(
-    cell_.bounds(), [&](std::uint32_t, Box const& b) { return may_meet(b); },
+    cell_.bounds(), [&](std::uint32_t, Box const& b) { return !probe.certainly_misses(b); },
     [&](std::uint32_t i) {
       if (std::ranges::binary_search(ignored_, i)) return;
       auto const blocker = stops<Exactness>(i, p, q, is_before);
