@@ -1,48 +1,24 @@
 #include "visibility/methods/exact_25d/cell_contacts.hpp"
 
-#include "visibility/predicates/orient2d.hpp"
+#include "scene/polygon_sides.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace visibility::exact_25d {
 
 namespace {
 
-using Polygon = std::vector<Point2d>;
+using height_field::Corners;
 
-Polygon plan(std::span<Point3d const> corners)
+bool closures_meet(Corners a, Corners b)
 {
-  Polygon out;
-  for (auto const& c : corners) out.push_back(horizontal(c));
-  return out;
+  return !height_field::separates_strictly(a, b) && !height_field::separates_strictly(b, a);
 }
-
-/// Whether some side of `a` has all of `b` on its outer side, or on it if `touching_separates`.
-bool has_separating_side(Polygon const& a, Polygon const& b, bool touching_separates)
-{
-  // A polygon with two corners is a segment: both directions are tried.
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    Point2d const &p = a[i], &q = a[i + 1 < a.size() ? i + 1 : 0];
-    if (std::ranges::all_of(b, [&](Point2d const& x) {
-          Sign const s = orient2d<Filtered>(p, q, x);
-          return is_negative(s) || (touching_separates && is_zero(s));
-        }))
-      return true;
-  }
-  return false;
-}
-
-bool closures_meet(Polygon const& a, Polygon const& b)
-{
-  return !has_separating_side(a, b, false) && !has_separating_side(b, a, false);
-}
-bool interiors_meet(Polygon const& a, Polygon const& b)
-{
-  return !has_separating_side(a, b, true) && !has_separating_side(b, a, true);
-}
+bool interiors_meet(Corners a, Corners b) { return !height_field::separates(a, b) && !height_field::separates(b, a); }
 
 /// The greatest height of a column's top over the part of it inside the outline. Requires: their closures meet.
-RationalNumber highest_inside(std::span<Point3d const> corners, Polygon const& outline)
+RationalNumber highest_inside(Corners corners, Corners outline)
 {
   std::vector<Point3q> part;
   for (auto const& c : corners) part.push_back(exact(c));
@@ -60,7 +36,7 @@ RationalNumber highest_inside(std::span<Point3d const> corners, Polygon const& o
       if (sa >= 0) kept.push_back(a);
       if ((sa > 0 && sb < 0) || (sa < 0 && sb > 0)) {
         RationalNumber const t = sa / (sa - sb);
-        kept.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)});
+        kept.push_back(between(a, b, t));
       }
     }
     part = std::move(kept);
@@ -71,12 +47,12 @@ RationalNumber highest_inside(std::span<Point3d const> corners, Polygon const& o
 }
 
 /// Whether another column may cover part of this one.
-bool may_be_covered(HeightField const& field, std::uint32_t index, Polygon const& polygon)
+bool may_be_covered(HeightField const& field, std::uint32_t index)
 {
-  auto const& column = field.columns()[index];
+  Corners const polygon = field.corners(field.columns()[index]);
   Box box;
   double lowest = HUGE_VAL;
-  for (auto const& c : field.corners(column)) {
+  for (auto const& c : polygon) {
     box.extend(c);
     lowest = std::min(lowest, c.z);
   }
@@ -85,7 +61,7 @@ bool may_be_covered(HeightField const& field, std::uint32_t index, Polygon const
     auto const corners = field.corners(field.columns()[other]);
     return other != index && corners.size() > 2 &&
            std::ranges::any_of(corners, [&](Point3d const& c) { return c.z > lowest; }) &&
-           interiors_meet(polygon, plan(corners));
+           interiors_meet(polygon, corners);
   });
 }
 
@@ -103,7 +79,7 @@ bool is_upright(ViewCell const& cell, CellOutline const& outline)
 CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellOutline const& outline)
 {
   CellContacts out;
-  Polygon const footprint = plan(outline.corners);
+  Corners const footprint = outline.corners;
   Box under = cell.bounds();
   under.min.z = -HUGE_VAL;
   under.max.z = HUGE_VAL;
@@ -112,17 +88,16 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
   std::vector<std::uint32_t> intruders, doubtful;
   field.column_hierarchy().any_meeting(under, [&](std::uint32_t i) {
     auto const& column = field.columns()[i];
-    auto const corners = field.corners(column);
-    Polygon const polygon = plan(corners);
-    if (!closures_meet(footprint, polygon)) return false;
-    bool const overlaps = interiors_meet(footprint, polygon);
+    Corners const corners = field.corners(column);
+    if (!closures_meet(footprint, corners)) return false;
+    bool const overlaps = interiors_meet(footprint, corners);
     RationalNumber const height = column.is_flat ? RationalNumber(corners[0].z) : highest_inside(corners, footprint);
     if (height >= outline.bottom) {
       visible[column.object] = true;
       if (!upright) out.exact = false;  // it may pass below or beside the cell
       if (overlaps && (!upright || height >= outline.top)) intruders.push_back(i);
     } else if (overlaps) {
-      if (may_be_covered(field, i, polygon)) doubtful.push_back(column.object);
+      if (may_be_covered(field, i)) doubtful.push_back(column.object);
       visible[column.object] = true;
     }
     return false;
@@ -132,8 +107,7 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
     std::ranges::sort(intruders);
     field.edge_hierarchy().any_meeting(under, [&](std::uint32_t e) {
       auto const& edge = field.edges()[e];
-      if (std::ranges::binary_search(intruders, edge.column) &&
-          interiors_meet(footprint, Polygon{horizontal(edge.a), horizontal(edge.b)}))
+      if (std::ranges::binary_search(intruders, edge.column) && interiors_meet(footprint, std::array{edge.a, edge.b}))
         out.ignored_edges.push_back(e);
       return false;
     });

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "polygon_sides.hpp"
+
 #include "visibility/predicates/orient2d.hpp"
 #include "visibility/predicates/orient3d.hpp"
 #include "visibility/scene/exposed_parts.hpp"
@@ -20,7 +22,6 @@ struct ClosedInterval {
 
 enum class Extent : std::uint8_t { nowhere, partly, everywhere };
 
-inline bool are_zero(Sign s, Sign t) { return is_zero(s) && is_zero(t); }
 /// Of a linear function with these signs at the ends: whether it is nowhere positive between them.
 inline bool nowhere_positive(Sign s, Sign t) { return !is_positive(s) && !is_positive(t); }
 inline bool changes(Sign s, Sign t) { return is_negative(s * t); }

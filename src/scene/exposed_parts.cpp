@@ -12,14 +12,6 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Sign side_of(Crossing crossing) { return crossing == Crossing::entering ? Sign::negative : Sign::positive; }
 
-Box bounds_of(HeightField::TopEdge const& e)
-{
-  Box box;
-  box.extend(e.a);
-  box.extend(e.b);
-  return box;
-}
-
 }  // namespace
 
 template <Arithmetic A>
@@ -28,7 +20,7 @@ ExposedParts exposed_parts(HeightField const& field, std::uint32_t edge, Crossin
   auto const& e = field.edges()[edge];
   bool const sees_top = crossing == Crossing::leaving && !field.columns()[e.column].is_curtain();
   EdgeCover<A, Point3d> const cover(field, e.a, e.b, side_of(crossing), e.column, sees_top);
-  Box reach = bounds_of(e);  // a column that is lower than the edge covers nothing
+  Box reach = bounding_box(e);  // a column that is lower than the edge covers nothing
   reach.max.z = infinity;
   return uncovered(field, cover, reach, [] { return OpenInterval{0, 1}; });
 }

@@ -42,6 +42,14 @@ inline bool has_outside(Corners corners, Point3d const& a, Point3d const& b)
   });
 }
 
+/// Whether the line of a side of `c` has all of the polygon `d` strictly on its outside.
+inline bool separates_strictly(Corners c, Corners d)
+{
+  return any_side(c, [&](Point3d const& p, Point3d const& q) {
+    return std::ranges::all_of(d, [&](Point3d const& r) { return is_negative(side_of(p, q, r)); });
+  });
+}
+
 /// Whether the line of a side of `c` separates the polygon `d` from it, touching it or not.
 inline bool separates(Corners c, Corners d)
 {

@@ -1,6 +1,7 @@
 #include "visibility/scene/seams.hpp"
 
 #include "polygon_sides.hpp"
+#include "top_plane.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -14,25 +15,6 @@ namespace {
 using namespace height_field;
 using NT = RationalNumber;
 using Column = HeightField::Column;
-
-/// The height x a + y b + c.
-struct Plane {
-  NT a, b, c;
-  NT over(Point2q const& p) const { return a * p.x + b * p.y + c; }
-};
-Plane operator-(Plane const& p, Plane const& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
-
-/// A column that is not flat is a triangle.
-Plane top_plane(HeightField const& field, Column const& column)
-{
-  Corners const corners = field.corners(column);
-  if (column.is_flat) return {0, 0, NT(corners[0].z)};
-  auto const o = exact(corners[0]), p = exact(corners[1]), q = exact(corners[2]);
-  NT const px = p.x - o.x, py = p.y - o.y, pz = p.z - o.z, qx = q.x - o.x, qy = q.y - o.y, qz = q.z - o.z;
-  NT const area = px * qy - py * qx;
-  NT const a = (pz * qy - py * qz) / area, b = (px * qz - pz * qx) / area;
-  return {a, b, o.z - a * o.x - b * o.y};
-}
 
 /// What remains of a line's parameters t while it is clipped; an end that is not set is at infinity.
 struct Range {

@@ -92,4 +92,12 @@ private:
   std::size_t raised_ = 0, invalid_footprints_ = 0;
 };
 
+inline Box bounding_box(HeightField::TopEdge const& e)
+{
+  Box box;
+  box.extend(e.a);
+  box.extend(e.b);
+  return box;
+}
+
 }  // namespace visibility

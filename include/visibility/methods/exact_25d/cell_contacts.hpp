@@ -19,6 +19,8 @@ struct CellContacts {
   bool exact = true;
 };
 
+/// `outline` is that of the cell. Cost: one query of column_hierarchy(); rationals for slanted tops that meet the
+/// outline.
 CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellOutline const& outline);
 
 }  // namespace visibility::exact_25d

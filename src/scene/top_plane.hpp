@@ -1,0 +1,27 @@
+#pragma once
+
+#include "visibility/scene/height_field.hpp"
+
+namespace visibility::height_field {
+
+/// The height x a + y b + c, in rationals.
+struct Plane {
+  RationalNumber a, b, c;
+  RationalNumber over(Point2q const& p) const { return a * p.x + b * p.y + c; }
+};
+inline Plane operator-(Plane const& p, Plane const& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
+
+/// The plane of a column's top. Requires: no curtain. A column that is not flat is a triangle.
+inline Plane top_plane(HeightField const& field, HeightField::Column const& column)
+{
+  using NT = RationalNumber;
+  auto const corners = field.corners(column);
+  if (column.is_flat) return {0, 0, NT(corners[0].z)};
+  auto const o = exact(corners[0]), p = exact(corners[1]), q = exact(corners[2]);
+  NT const px = p.x - o.x, py = p.y - o.y, pz = p.z - o.z, qx = q.x - o.x, qy = q.y - o.y, qz = q.z - o.z;
+  NT const area = px * qy - py * qx;
+  NT const a = (pz * qy - py * qz) / area, b = (px * qz - pz * qx) / area;
+  return {a, b, o.z - a * o.x - b * o.y};
+}
+
+}  // namespace visibility::height_field
