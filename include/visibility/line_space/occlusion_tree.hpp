@@ -27,7 +27,6 @@ public:
   /// A top edge as its lines cross it.
   struct Blocker {
     PortalSequence::Edge edge;
-    std::uint32_t name;
     bool everywhere;  ///< crossed beyond the side by which lines enter; otherwise it crosses that side in plan
   };
   struct Leaf {
@@ -63,7 +62,6 @@ public:
     roots_ = static_cast<Index>(nodes_.size());
   }
 
-  CellOutline const& cell() const { return cell_; }
   bool is_leaf(Index node) const { return nodes_[node].is_leaf(); }
   /// Requires: a leaf. The reference stays valid while nodes are divided, but then it is that of the left part.
   Leaf const& leaf(Index node) const { return leaves_[nodes_[node].leaf]; }
@@ -87,14 +85,12 @@ public:
     leaves_[nodes_[leaf].leaf].blockers.push_back(blocker);
     update(leaf);
   }
+  /// Slopes stay as they are until the next `add`: they need what was true, not what is held.
   template <class Predicate>
-  std::size_t remove_blockers(Index leaf, Predicate&& is_redundant)
+  void remove_blockers(Index leaf, Predicate&& is_redundant)
   {
     auto& b = leaves_[nodes_[leaf].leaf].blockers;
-    auto const rest = std::remove_if(b.begin(), b.end(), is_redundant);
-    auto const removed = static_cast<std::size_t>(b.end() - rest);
-    b.erase(rest, b.end());
-    return removed;
+    b.erase(std::remove_if(b.begin(), b.end(), is_redundant), b.end());
   }
 
   /// Whether blockers hide everything in the box, in whose place there may be anything. May be false although they do.
@@ -121,9 +117,10 @@ private:
     double const fy = std::max(std::fabs(box.min.y - cell_.centre.y), std::fabs(box.max.y - cell_.centre.y));
     return {std::sqrt(dx * dx + dy * dy) * (1 - 0x1p-48), std::sqrt(fx * fx + fy * fy) * (1 + 0x1p-48), box.max.z};
   }
+  /// `Rational` asks leaves instead: it is what the filtered arithmetic is compared with.
   bool is_below_slope(Node const& n, Reach const& r) const
   {
-    if (r.least < n.reach) return false;
+    if (std::same_as<A, Rational> || r.least < n.reach) return false;
     double const rise = n.slope * ((n.slope > 0 ? r.least : r.greatest) + cell_.radius);
     return r.height <= cell_.top + rise - 0x1p-48 * (std::fabs(cell_.top) + std::fabs(rise));
   }

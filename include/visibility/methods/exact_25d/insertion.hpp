@@ -10,11 +10,9 @@ void Search<A>::insert(CrossedEdge const& crossed)
 {
   auto const& e = field_.edges()[crossed.edge];
   Edge const edge = portal(e, crossed.from_left);
-  Box box;
-  box.extend(e.a);
-  box.extend(e.b);
+  Box const box = bounding_box(e);
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
-    if (is_ahead(leaf, edge) && !is_hidden(leaf, lines, edge, {}, true)) insert_in_leaf(leaf, crossed, edge, lines);
+    if (is_ahead(leaf, edge) && !is_hidden(leaf, lines, edge, {}, true)) insert_in_leaf(leaf, edge, lines);
     return false;
   });
 }
@@ -35,16 +33,16 @@ auto Search<A>::shrunk(Edge const& edge) const -> Edge
 /// Divides the leaf by the ends of the edge and adds the edge where it is crossed. Blockers in front of it that it
 /// rises above are redundant for what comes later.
 template <Arithmetic A>
-bool Search<A>::insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& whole, Funnel const& lines)
+void Search<A>::insert_in_leaf(Index leaf, Edge const& whole, Funnel const& lines)
 {
   auto const& n = tree_.leaf(leaf);
-  if (holds(leaf, whole)) return false;
+  if (holds(leaf, whole)) return;
   auto const order = plan_order<A>(gate(cell_.entry(n.entry)), gate(whole));
-  if (order == PlanOrder::before || order == PlanOrder::collinear) return false;
+  if (order == PlanOrder::before || order == PlanOrder::collinear) return;
   Edge const edge = options_.occluder_shrink > 0 ? shrunk(whole) : whole;
   leaf = tree_.divide(leaf, horizontal(edge.left), Sign::positive);
   if (leaf != Tree::none) leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
-  if (leaf == Tree::none) return false;
+  if (leaf == Tree::none) return;
   bool const everywhere = order == PlanOrder::after;
   if (everywhere && options_.penumbra_wedges && !tree_.leaf(leaf).blockers.empty() && cell_.inner.empty()) {
     auto const& part = tree_.leaf(leaf);
@@ -58,9 +56,8 @@ bool Search<A>::insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge cons
              (rises || PenumbraWedge<A>(exit, edge, f.edge).certainly_above(s1, t));
     });
   }
-  tree_.add(leaf, {edge, crossed.edge, everywhere});
+  tree_.add(leaf, {edge, everywhere});
   ++counts_.occluders_inserted;
-  return true;
 }
 
 }  // namespace visibility::exact_25d

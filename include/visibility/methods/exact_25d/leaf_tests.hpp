@@ -57,27 +57,17 @@ bool Search<A>::is_ahead(Index leaf, Edge const& edge) const
   return plan_order<A>(gate(cell_.exit(n.exit)), gate(edge)) != PlanOrder::before;
 }
 
-/// The edges of the cell's top from which the best sight lines to a target start: of a flat top the one by which a line
-/// leaves if it falls, the one by which it enters if it rises.
+/// The edges of the cell's top from which the best sight lines start to a target between these heights: of a flat top
+/// the one by which a line leaves if it falls, the one by which it enters if it rises; of any other both, and all inner
+/// edges last, in both directions.
 template <Arithmetic A>
-auto Search<A>::sources(Index leaf, Edge const& target) const -> boost::container::small_vector<Edge, 2>
-{
-  auto const& n = tree_.leaf(leaf);
-  boost::container::small_vector<Edge, 2> out;
-  if (!cell_.flat || std::min(target.left.z, target.right.z) < cell_.top) out.push_back(cell_.exit(n.exit));
-  if (!cell_.flat || std::max(target.left.z, target.right.z) >= cell_.top) out.push_back(cell_.entry(n.entry));
-  for (auto const& e : cell_.inner) {
-    out.push_back(e);
-    out.push_back({e.right, e.left});
-  }
-  return out;
-}
-
-template <Arithmetic A>
-auto Search<A>::all_sources(Index leaf) const -> boost::container::small_vector<Edge, 2>
+auto Search<A>::sources(Index leaf, double least_height, double greatest_height) const
+  -> boost::container::small_vector<Edge, 2>
 {
   auto const& l = tree_.leaf(leaf);
-  boost::container::small_vector<Edge, 2> out{cell_.exit(l.exit), cell_.entry(l.entry)};
+  boost::container::small_vector<Edge, 2> out;
+  if (!cell_.flat || least_height < cell_.top) out.push_back(cell_.exit(l.exit));
+  if (!cell_.flat || greatest_height >= cell_.top) out.push_back(cell_.entry(l.entry));
   for (auto const& e : cell_.inner) {
     out.push_back(e);
     out.push_back({e.right, e.left});
@@ -139,9 +129,7 @@ bool Search<A>::is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part
     }
     return options_.occlusion == Occlusion::exact && wedges.size() > 1 && hide_together(wedges, s, {}, wedge_depth);
   };
-  bool const falls = !cell_.flat || part.least_height() < cell_.top;
-  bool const rises = !cell_.flat || part.greatest_height() >= cell_.top;
-  return (!falls || is_hidden_from(cell_.exit(l.exit))) && (!rises || is_hidden_from(cell_.entry(l.entry)));
+  return std::ranges::all_of(sources(leaf, part.least_height(), part.greatest_height()), is_hidden_from);
 }
 
 }  // namespace visibility::exact_25d

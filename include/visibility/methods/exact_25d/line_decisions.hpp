@@ -33,7 +33,7 @@ template <Arithmetic A>
 auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column) -> Find
 {
   PortalSequence::ConstructedEdge const target{part.left, part.right};
-  for (auto const& source : all_sources(leaf)) {
+  for (auto const& source : sources(leaf, -HUGE_VAL, HUGE_VAL)) {
     // From the near side to the far one: a funnel through the sides of the column holds lines of both directions.
     auto const question =
       PortalQuestion<A>(lines, source, target).within(horizontal(part.left), horizontal(part.right));
@@ -70,9 +70,6 @@ auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Sh
                         Found const& found_from) -> Find
 {
   if (!A::is_exact || options_.occluder_shrink > 0) return found_from(start), Find::visible;
-  auto const between = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
-    return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
-  };
   RationalNumber step(0x1p-8);
   for (int i = 0; i < 12; ++i, step = step * step) {
     Point3q const p = between(start, middle_, step);

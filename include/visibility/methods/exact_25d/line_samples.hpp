@@ -5,20 +5,6 @@
 
 namespace visibility::exact_25d {
 
-template <Arithmetic A>
-bool Search<A>::in_interior(Point3d const& p) const
-{
-  if (view_.is_box()) {
-    auto const& b = view_.bounds();
-    return b.min.x < p.x && p.x < b.max.x && b.min.y < p.y && p.y < b.max.y && b.min.z < p.z && p.z < b.max.z;
-  }
-  auto const& shape = view_.shape();
-  return std::ranges::all_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
-    auto const& v = shape.vertices;
-    return is_negative(orient3d<A>(v[f.vertices[0]], v[f.vertices[1]], v[f.vertices[2]], p));
-  });
-}
-
 /// Tries sight lines in the middle and near the corners of the polygon of lines, where the clearance is greatest.
 template <Arithmetic A>
 auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> Find
@@ -55,15 +41,12 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
       double const t = sum.target_left / (sum.target_left - sum.target_right);
       if (!(s > 0 && s < 1 && whole.may_be_exposed(t))) continue;
       if (std::ranges::any_of(wedges, [&](auto const& w) { return !(w.at(s, t) > 0); })) continue;
-      auto const between = [](Point3d const& a, Point3d const& b, double x) {
-        return Point3d{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
-      };
       for (double const step : {0x1p-20, 0x1p-30}) {
         Point3d const p = between(between(source.left, source.right, s), near_middle_, step);
         Point3d q = between(target.left, target.right, t);
         q.z -= step * (cell_.top - cell_.bottom);
         q = between(p, q, 1 + 0x1p-20);
-        if (!in_interior(p)) continue;
+        if (!in_interior(view_, p)) continue;
         // The line must reach the edge between its ends, from behind, and below its top.
         if (!is_positive(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.left))) ||
             !is_negative(orient2d<A>(horizontal(p), horizontal(q), horizontal(target.right))) ||

@@ -156,13 +156,10 @@ bool PortalQuestion<A>::answer(Accept const& accept) const
 {
   auto const line = PortalDecision<NT>(sequence_).find();
   if (!line) return false;
-  auto const at = [](Point3q const& a, Point3q const& b, RationalNumber const& x) {
-    return Point3q{a.x + x * (b.x - a.x), a.y + x * (b.y - a.y), a.z + x * (b.z - a.z)};
-  };
   auto const& target = sequence_.constructed_target;
-  return accept(at(exact(sequence_.source.left), exact(sequence_.source.right), line->source),
-                target ? at(target->left, target->right, line->target)
-                       : at(exact(sequence_.target.left), exact(sequence_.target.right), line->target));
+  return accept(between(exact(sequence_.source.left), exact(sequence_.source.right), line->source),
+                target ? between(target->left, target->right, line->target)
+                       : between(exact(sequence_.target.left), exact(sequence_.target.right), line->target));
 }
 
 }  // namespace visibility::exact_25d

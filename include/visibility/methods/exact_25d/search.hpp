@@ -12,7 +12,6 @@
 #include "visibility/scene/seams.hpp"
 
 #include <algorithm>
-#include <optional>
 #include <queue>
 #include <stdexcept>
 #include <vector>
@@ -25,6 +24,7 @@ namespace visibility::exact_25d {
 template <Arithmetic A>
 class Search {
 public:
+  /// Keeps references.
   Search(HeightField const& field, ViewCell const& view, Options const& options)
     : field_(field), view_(view), options_(options), cell_(view), tree_(cell_),
       contacts_(cell_contacts(field, view, cell_)), shot_(field, view, contacts_.ignored_edges),
@@ -68,7 +68,7 @@ private:
   void settle(CrossedEdge const& crossed);
   void settle(Seam const& seam, Box const& bounds);
   void insert(CrossedEdge const& crossed);
-  bool insert_in_leaf(Index leaf, CrossedEdge const& crossed, Edge const& whole, Funnel const& lines);
+  void insert_in_leaf(Index leaf, Edge const& whole, Funnel const& lines);
   Edge shrunk(Edge const& edge) const;
 
   bool is_relevant(CrossedEdge const& crossed) const;
@@ -78,8 +78,12 @@ private:
     return std::ranges::any_of(tree_.leaf(leaf).blockers, [&](auto const& b) { return b.edge == edge; });
   }
   bool is_ahead(Index leaf, Edge const& edge) const;
-  boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const;
-  boost::container::small_vector<Edge, 2> all_sources(Index leaf) const;
+  boost::container::small_vector<Edge, 2> sources(Index leaf, double least_height, double greatest_height) const;
+  boost::container::small_vector<Edge, 2> sources(Index leaf, Edge const& target) const
+  {
+    auto const [least, greatest] = std::minmax(target.left.z, target.right.z);
+    return sources(leaf, least, greatest);
+  }
   bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed, bool as_occluder);
   bool is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part) const;
   bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
@@ -91,7 +95,6 @@ private:
   Find ask(PortalQuestion<A> question, Index leaf, Answer const& answer);
   template <class Shoot, class Found>
   Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot, Found const& found_from);
-  bool in_interior(Point3d const& p) const;
   static Point3q middle_of(ViewCell const& view)
   {
     RationalNumber const n(static_cast<double>(view.vertices().size()));
@@ -144,11 +147,6 @@ void Search<A>::traverse()
     std::uint32_t node;
     bool operator<(Entry const& o) const { return distance > o.distance; }
   };
-  auto const distance = [&](Box const& b) {
-    double const dx = std::max(0.0, std::max(b.min.x - cell_.centre.x, cell_.centre.x - b.max.x));
-    double const dy = std::max(0.0, std::max(b.min.y - cell_.centre.y, cell_.centre.y - b.max.y));
-    return dx * dx + dy * dy;
-  };
   std::priority_queue<Entry> queue;
   queue.push({0, 0});
   while (!queue.empty()) {
@@ -162,7 +160,8 @@ void Search<A>::traverse()
       }
     }
     if (!node.is_leaf()) {
-      for (std::uint32_t c : {node.first, node.first + 1}) queue.push({distance(hierarchy.nodes()[c].bounds), c});
+      for (std::uint32_t c : {node.first, node.first + 1})
+        queue.push({approximate_squared_distance(view_.bounds(), hierarchy.nodes()[c].bounds), c});
       continue;
     }
     for (auto i = node.first; i < node.first + node.count; ++i) process(hierarchy.items()[i]);
@@ -184,14 +183,12 @@ void Search<A>::scan(CrossedEdge const& crossed)
 {
   auto const& e = field_.edges()[crossed.edge];
   Edge const edge = portal(e, crossed.from_left);
-  Box box;
-  box.extend(e.a);
-  box.extend(e.b);
+  Box const box = bounding_box(e);
   auto const object = field_.object_of(e);
-  std::optional<Target> const target(std::in_place, field_, crossed);
+  Target const target(field_, crossed);
   // What is buried in other columns is no use as an occluder: they are in the way already.
-  if (target->is_covered()) return;
-  if (!is_visible_[object] && is_flush(*target)) is_visible_[object] = true;
+  if (target.is_covered()) return;
+  if (!is_visible_[object] && is_flush(target)) is_visible_[object] = true;
   bool is_open = false;
   int retries = 0;
   tree_.visit_leaves(gate(edge), box, [&](Index leaf, Funnel const& lines) {
@@ -201,19 +198,20 @@ void Search<A>::scan(CrossedEdge const& crossed)
     if (is_hidden(leaf, lines, edge, {}, true)) {
       ++counts_.wedge_hidden;
       // What an edge of equal height in the same place hides as an occluder may still be seen.
-      if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false))
+      if (is_target && !is_hidden(leaf, lines, edge, target.exposed_range(), false))
         is_open |= options_.occlusion == Occlusion::exact || simulated(crossed) != Find::visible;
       return false;
     }
-    if (is_target && !is_hidden(leaf, lines, edge, target->exposed_range(), false)) {
+    // The same edges as above hide it as a target, unless only part of it is one.
+    if (is_target && (target.is_fully_exposed() || !is_hidden(leaf, lines, edge, target.exposed_range(), false))) {
       Find const find = options_.occlusion == Occlusion::single_wedges ? simulated(crossed)
-                        : options_.sampled_lines                       ? sample(leaf, lines, *target)
+                        : options_.sampled_lines                       ? sample(leaf, lines, target)
                                                                        : Find::nothing;
       if (find == Find::visible) ++counts_.sampled_visible;
       if (find == Find::blocked) return A::is_exact || ++retries < most_retries;
       is_open |= find == Find::nothing;
     }
-    insert_in_leaf(leaf, crossed, edge, lines);
+    insert_in_leaf(leaf, edge, lines);
     return false;
   });
   if (is_open && !is_visible_[object]) open_.push_back(crossed);
@@ -226,9 +224,7 @@ void Search<A>::settle(CrossedEdge const& crossed)
   Target const target(field_, crossed);
   if (target.is_covered()) return;
   auto const& e = field_.edges()[crossed.edge];
-  Box box;
-  box.extend(e.a);
-  box.extend(e.b);
+  Box const box = bounding_box(e);
   auto const object = field_.object_of(e);
   int retries = 0;
   tree_.visit_leaves(gate(target.edge()), box, [&](Index leaf, Funnel const& lines) {

@@ -43,32 +43,18 @@ public:
   bool is_exposed(Point3d const& p, Point3d const& q) const
   {
     if (all_) return true;
-    auto const side = [&](Point3d const& x) {
-      return RationalNumber(visibility::detail::Orient2dFormula{}(RationalNumber(p.x), RationalNumber(p.y),
-                                                                  RationalNumber(q.x), RationalNumber(q.y),
-                                                                  RationalNumber(x.x), RationalNumber(x.y)));
-    };
-    RationalNumber const left = side(edge_.left), t = left / (left - side(edge_.right));
+    RationalNumber const t = position(p, q);
     return std::ranges::any_of(parts_, [&](OpenInterval const& i) { return i.low < t && t < i.high; });
   }
 
   /// Where the line through p and q crosses the edge in plan, as a point on the edge. Requires: it crosses it.
   Point3q crossing(Point3d const& p, Point3d const& q) const
   {
-    RationalNumber const t = position(p, q);
-    Point2q const x = point(t);
-    RationalNumber const z(edge_.left.z);
-    return {x.x, x.y, z + t * (RationalNumber(edge_.right.z) - z)};
+    return between(exact(edge_.left), exact(edge_.right), position(p, q));
   }
 
   /// The point of the edge in plan.
-  Point2q point(RationalNumber const& t) const
-  {
-    auto const at = [&](double left, double right) {
-      return RationalNumber(left) + t * (RationalNumber(right) - RationalNumber(left));
-    };
-    return {at(edge_.left.x, edge_.right.x), at(edge_.left.y, edge_.right.y)};
-  }
+  Point2q point(RationalNumber const& t) const { return horizontal(between(exact(edge_.left), exact(edge_.right), t)); }
 
 private:
   RationalNumber position(Point3d const& p, Point3d const& q) const
