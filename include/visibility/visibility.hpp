@@ -44,6 +44,7 @@
 #include "visibility/scene/height_field.hpp"
 #include "visibility/scene/inner_bodies.hpp"
 #include "visibility/scene/object.hpp"
+#include "visibility/scene/occludees.hpp"
 #include "visibility/scene/occluders.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"

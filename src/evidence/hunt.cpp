@@ -2,6 +2,8 @@
 
 #include "bandit.hpp"
 
+#include "visibility/scene/meets_cell.hpp"
+
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>

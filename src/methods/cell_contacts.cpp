@@ -103,7 +103,7 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
     return false;
   });
   if (!intruders.empty()) {
-    out.exact = false;
+    out.exact = out.all_occlude = false;
     std::ranges::sort(intruders);
     field.edge_hierarchy().any_meeting(under, [&](std::uint32_t e) {
       auto const& edge = field.edges()[e];

@@ -7,38 +7,98 @@
 
 namespace visibility {
 
+namespace {
+
+using namespace exact_25d;
+
 template <Arithmetic A>
-PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell const& cell) const
+Guarantee guarantee(Search<A> const& search, Options const& options, bool apart)
 {
-  exact_25d::Search<A> search(field, cell, options_);
-  search.run();
-  PotentiallyVisibleSet set;
-  bool const is_exact = search.contacts().exact && options_.occlusion == exact_25d::Occlusion::exact;
-  set.guarantee = !A::is_exact || options_.occluder_shrink > 0 ? Guarantee::none
-                  : is_exact                                   ? Guarantee::exact
-                                                               : Guarantee::conservative;
-  for (std::uint32_t o = 0; o < search.is_visible().size(); ++o)
-    if (search.is_visible()[o]) set.visible.push_back(o);
-  if (set.guarantee != Guarantee::none && options_.occlusion == exact_25d::Occlusion::exact)
-    for (auto const& line : search.lines())
-      if (auto w = exact_25d::witness(field, line)) set.witnesses.push_back(std::move(*w));
-  std::ranges::sort(set.witnesses, {}, &Witness::object);
+  if (!A::is_exact || options.occluder_shrink > 0) return Guarantee::none;
+  auto const& contacts = search.contacts();
+  bool const is_exact = (apart ? contacts.all_occlude : contacts.exact) && options.occlusion == Occlusion::exact;
+  return is_exact ? Guarantee::exact : Guarantee::conservative;
+}
+
+template <Arithmetic A>
+std::map<std::string, double> statistics(Search<A> const& search)
+{
   auto const& c = search.counts();
   std::size_t blockers = 0;
   for (auto const& leaf : search.tree().leaves()) blockers += leaf.blockers.size();
-  set.statistics = {{"nodes_tested", double(c.nodes_tested)},
-                    {"nodes_hidden", double(c.nodes_hidden)},
-                    {"portal_tests", double(c.portal_tests)},
-                    {"wedge_hidden", double(c.wedge_hidden)},
-                    {"sampled_visible", double(c.sampled_visible)},
-                    {"decisions", double(c.decisions)},
-                    {"decided_visible", double(c.decided_visible)},
-                    {"shots", double(c.shots)},
-                    {"shots_blocked", double(c.shots_blocked)},
-                    {"occluders_inserted", double(c.occluders_inserted)},
-                    {"line_space_cells", double(search.tree().leaves().size())},
-                    {"occluders_per_cell", double(blockers) / double(search.tree().leaves().size())}};
+  return {{"nodes_tested", double(c.nodes_tested)},
+          {"nodes_hidden", double(c.nodes_hidden)},
+          {"portal_tests", double(c.portal_tests)},
+          {"wedge_hidden", double(c.wedge_hidden)},
+          {"sampled_visible", double(c.sampled_visible)},
+          {"decisions", double(c.decisions)},
+          {"decided_visible", double(c.decided_visible)},
+          {"shots", double(c.shots)},
+          {"shots_blocked", double(c.shots_blocked)},
+          {"occluders_inserted", double(c.occluders_inserted)},
+          {"line_space_cells", double(search.tree().leaves().size())},
+          {"occluders_per_cell", double(blockers) / double(search.tree().leaves().size())}};
+}
+
+/// What a search found. Requires: it was run.
+template <Arithmetic A>
+PotentiallyVisibleSet answer(Search<A> const& search, HeightField const& field, Options const& options, bool apart)
+{
+  PotentiallyVisibleSet set;
+  set.guarantee = guarantee(search, options, apart);
+  for (std::uint32_t o = 0; o < search.is_visible().size(); ++o)
+    if (search.is_visible()[o]) set.visible.push_back(o);
+  if (set.guarantee != Guarantee::none && options.occlusion == Occlusion::exact) {
+    for (auto const& line : search.lines())
+      if (auto w = witness(field, line)) set.witnesses.push_back(std::move(*w));
+    set.witnesses.insert(set.witnesses.end(), search.occludee_witnesses().begin(), search.occludee_witnesses().end());
+  }
+  std::ranges::sort(set.witnesses, {}, &Witness::object);
+  set.statistics = statistics(search);
   return set;
+}
+
+template <Arithmetic A>
+std::vector<LineSpaceCell> line_space_cells(Search<A> const& search)
+{
+  std::vector<LineSpaceCell> out;
+  for (auto const& leaf : search.tree().leaves()) {
+    auto& cell = out.emplace_back();
+    cell.entry = search.cell().entry(leaf.entry);
+    cell.exit = search.cell().exit(leaf.exit);
+    for (auto const& v : leaf.lines.vertices()) cell.bounds.push_back({v.p, v.q});
+    for (auto const& b : leaf.blockers) cell.occluders.push_back(b.edge);
+  }
+  return out;
+}
+
+}  // namespace
+
+template <Arithmetic A>
+PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& field, ViewCell const& cell) const
+{
+  Search<A> search(field, cell, options_);
+  search.run();
+  return answer(search, field, options_, false);
+}
+
+template <Arithmetic A>
+PotentiallyVisibleSet Exact25d<A>::operator()(HeightField const& occluders, Occludees const& occludees,
+                                              ViewCell const& cell) const
+{
+  Search<A> search(occluders, cell, options_, &occludees);
+  search.run();
+  return answer(search, occluders, options_, true);
+}
+
+template <Arithmetic A>
+std::pair<PotentiallyVisibleSet, Explanation> Exact25d<A>::explain(HeightField const& field, ViewCell const& cell) const
+{
+  Search<A> search(field, cell, options_);
+  search.keep_dominated();
+  search.run();
+  Explanation explanation{search.visible_edges(), line_space_cells(search)};
+  return {answer(search, field, options_, false), std::move(explanation)};
 }
 
 template class Exact25d<Filtered>;

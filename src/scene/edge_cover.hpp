@@ -26,6 +26,13 @@ enum class Extent : std::uint8_t { nowhere, partly, everywhere };
 inline bool nowhere_positive(Sign s, Sign t) { return !is_positive(s) && !is_positive(t); }
 inline bool changes(Sign s, Sign t) { return is_negative(s * t); }
 
+/// What may be covered: a wall, or the top with these corners. A column that it is part of does not cover it.
+struct Covered {
+  static constexpr std::uint32_t no_column = 0xffffffff;
+  Corners top{};  ///< empty: a wall
+  std::uint32_t column = no_column;
+};
+
 /// What covers a straight line a -> b of a wall or a top in plan, on one side of it: scene/exposed_parts.hpp says when.
 /// `P` is Point3d, or Point3q with `Rational`.
 template <Arithmetic A, class P>
@@ -35,9 +42,8 @@ public:
   /// Of values at the ends of the edge.
   using NT = std::conditional_t<std::same_as<A, Rational>, RationalNumber, ExactNumber>;
 
-  /// `column`: that of the edge, which does not cover; what is covered is its wall or its top.
-  EdgeCover(HeightField const& field, P a, P b, Sign side, std::uint32_t column, bool sees_top)
-    : field_(field), a_(std::move(a)), b_(std::move(b)), side_(side), column_(column), sees_top_(sees_top)
+  EdgeCover(HeightField const& field, P a, P b, Sign side, Covered covered)
+    : field_(field), a_(std::move(a)), b_(std::move(b)), side_(side), covered_(covered)
   {
   }
 
@@ -45,12 +51,12 @@ public:
   Extent extent(std::uint32_t column) const
   {
     Column const& f = field_.columns()[column];
-    if (column == column_ || f.is_curtain()) return Extent::nowhere;
+    if (column == covered_.column || f.is_curtain()) return Extent::nowhere;
     Extent const beside = area_beside(field_.corners(f));
     if (beside == Extent::nowhere) return Extent::nowhere;
     Sign const at_a = rise(f, a_), at_b = rise(f, b_);
     if (changes(at_a, at_b)) return Extent::partly;
-    bool const covers = are_zero(at_a, at_b) ? !sees_top_ || rises_away(f) : !nowhere_positive(at_a, at_b);
+    bool const covers = are_zero(at_a, at_b) ? covered_.top.empty() || rises_away(f) : !nowhere_positive(at_a, at_b);
     return covers ? beside : Extent::nowhere;
   }
 
@@ -116,11 +122,10 @@ private:
                                       NT(r.x), NT(r.y), NT(r.z));
   }
 
-  /// Of a column whose top plane contains the edge: whether it is above that of the edge's column on the side asked
-  /// for.
+  /// Of a column whose top plane contains the line: whether it is above the covered top on the side asked for.
   bool rises_away(Column const& f) const
   {
-    return std::ranges::any_of(field_.corners(field_.columns()[column_]), [&](Point3d const& c) {
+    return std::ranges::any_of(covered_.top, [&](Point3d const& c) {
       P const p = in(c);
       return orient2d<A>(horizontal(a_), horizontal(b_), horizontal(p)) == side_ && is_positive(rise(f, p));
     });
@@ -153,10 +158,30 @@ private:
 
   HeightField const& field_;
   P a_, b_;
-  Sign side_;             ///< of the edge's line: where the area lies that covers
-  std::uint32_t column_;  ///< of the edge
-  bool sees_top_;         ///< the top of that column; else its wall
+  Sign side_;  ///< of the line: where the area lies that covers
+  Covered covered_;
 };
+
+/// All columns that are as high as one of the points and whose boxes meet that of the two in plan meet this box.
+inline Box reach(Point3q const& p, Point3q const& q)
+{
+  Box box;
+  for (auto const& r : {p, q}) {
+    auto const x = CGAL::to_interval(r.x), y = CGAL::to_interval(r.y), z = CGAL::to_interval(r.z);
+    box.extend(Point3d{x.first, y.first, z.first});
+    box.extend(Point3d{x.second, y.second, z.second});
+  }
+  box.max.z = std::numeric_limits<double>::infinity();
+  return box;
+}
+inline Box reach(Point3d const& p, Point3d const& q)
+{
+  Box box;
+  box.extend(p);
+  box.extend(q);
+  box.max.z = std::numeric_limits<double>::infinity();
+  return box;
+}
 
 /// What closed intervals leave of an open one.
 inline std::vector<OpenInterval> remainder(OpenInterval const& range, std::vector<OpenInterval> covered)

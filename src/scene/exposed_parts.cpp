@@ -8,8 +8,6 @@ namespace {
 
 using namespace height_field;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Sign side_of(Crossing crossing) { return crossing == Crossing::entering ? Sign::negative : Sign::positive; }
 
 }  // namespace
@@ -18,11 +16,11 @@ template <Arithmetic A>
 ExposedParts exposed_parts(HeightField const& field, std::uint32_t edge, Crossing crossing)
 {
   auto const& e = field.edges()[edge];
-  bool const sees_top = crossing == Crossing::leaving && !field.columns()[e.column].is_curtain();
-  EdgeCover<A, Point3d> const cover(field, e.a, e.b, side_of(crossing), e.column, sees_top);
-  Box reach = bounding_box(e);  // a column that is lower than the edge covers nothing
-  reach.max.z = infinity;
-  return uncovered(field, cover, reach, [] { return OpenInterval{0, 1}; });
+  auto const& column = field.columns()[e.column];
+  bool const sees_top = crossing == Crossing::leaving && !column.is_curtain();
+  EdgeCover<A, Point3d> const cover(field, e.a, e.b, side_of(crossing),
+                                    {sees_top ? field.corners(column) : Corners{}, e.column});
+  return uncovered(field, cover, reach(e.a, e.b), [] { return OpenInterval{0, 1}; });
 }
 
 template ExposedParts exposed_parts<Filtered>(HeightField const&, std::uint32_t, Crossing);

@@ -1,10 +1,10 @@
 #include "visibility/scene/seams.hpp"
 
-#include "polygon_sides.hpp"
+#include "edge_cover.hpp"
+#include "line_clip.hpp"
 #include "top_plane.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -15,28 +15,6 @@ namespace {
 using namespace height_field;
 using NT = RationalNumber;
 using Column = HeightField::Column;
-
-/// What remains of a line's parameters t while it is clipped; an end that is not set is at infinity.
-struct Range {
-  std::optional<NT> low, high;
-  bool is_empty = false;
-
-  /// Keeps where the linear function with these values at t = 0 and t = 1 is not negative.
-  void clip(NT const& at_0, NT const& at_1)
-  {
-    if (at_0 == at_1) {
-      is_empty |= at_0 < 0;
-      return;
-    }
-    NT t = at_0 / (at_0 - at_1);
-    if (at_0 < at_1) {
-      if (!low || *low < t) low = std::move(t);
-    } else {
-      if (!high || t < *high) high = std::move(t);
-    }
-  }
-  bool has_length() const { return !is_empty && !(low && high && *low >= *high); }
-};
 
 /// The line of a seam in plan, directed from left to right as seen from the side of S, which is its right side.
 class SeamLine {
@@ -57,9 +35,9 @@ public:
   }
 
   /// Where S lies just before the line and F, higher, just behind.
-  Range range() const
+  LineRange range() const
   {
-    Range range;
+    LineRange range;
     if (seam_.is_crease()) {
       if (!has_area_beside(f_, Sign::positive)) return {{}, {}, true};
       clip(range, f_);
@@ -75,12 +53,12 @@ public:
   }
 
   /// Where the column covers S's top just before the line.
-  Range covered_by(Column const& g) const
+  LineRange covered_by(Column const& g) const
   {
     if (&g == &s_ || g.is_curtain() || !has_area_beside(g, Sign::negative) || is_beyond_edge(g)) return {{}, {}, true};
     Plane const rise = top_plane(field_, g) - top_;
     NT const at_0 = rise.over(p_), at_1 = rise.over(q_);
-    Range range;
+    LineRange range;
     if (at_0 == 0 && at_1 == 0)  // rising towards the right?
       range.is_empty = rise.a * (q_.y - p_.y) <= rise.b * (q_.x - p_.x);
     else
@@ -101,7 +79,7 @@ private:
     Corners const corners = field_.corners(column);
     if (!seam_.is_crease()) return has_corner_beside(corners, left(), right(), beside);
     return std::ranges::any_of(corners, [&](Point3d const& c) {
-      return sign_of(side(p_, q_, {NT(c.x), NT(c.y)})) == beside;
+      return sign_of(turn(p_, q_, {NT(c.x), NT(c.y)})) == beside;
     });
   }
 
@@ -116,21 +94,7 @@ private:
   Point3d const& left() const { return seam_.from_left ? edge().b : edge().a; }
   Point3d const& right() const { return seam_.from_left ? edge().a : edge().b; }
 
-  /// Keeps what lies in the closed polygon.
-  void clip(Range& range, Column const& column) const
-  {
-    Corners const corners = field_.corners(column);
-    for (std::size_t i = corners.size() - 1, j = 0; j < corners.size() && !range.is_empty; i = j++) {
-      Point2q const c = horizontal(exact(corners[i])), d = horizontal(exact(corners[j]));
-      range.clip(side(c, d, p_), side(c, d, q_));
-    }
-  }
-
-  /// Twice the area of the triangle; positive: r lies to the left of p -> q.
-  static NT side(Point2q const& p, Point2q const& q, Point2q const& r)
-  {
-    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-  }
+  void clip(LineRange& range, Column const& column) const { range.clip(field_.corners(column), p_, q_); }
 
   HeightField const& field_;
   Seam const& seam_;
@@ -139,32 +103,19 @@ private:
   Point2q p_, q_;
 };
 
-/// All columns that are as high as one of the points and whose boxes meet that of the two in plan meet this box.
-Box reach(Point3q const& p, Point3q const& q)
-{
-  Box box;
-  for (auto const& r : {p, q}) {
-    auto const x = CGAL::to_interval(r.x), y = CGAL::to_interval(r.y), z = CGAL::to_interval(r.z);
-    box.extend(Point3d{x.first, y.first, z.first});
-    box.extend(Point3d{x.second, y.second, z.second});
-  }
-  box.max.z = std::numeric_limits<double>::infinity();
-  return box;
-}
-
 }  // namespace
 
 std::vector<SeamPart> exposed_parts(HeightField const& field, Seam const& seam)
 {
   SeamLine const line(field, seam);
-  Range const range = line.range();
+  LineRange const range = line.range();
   if (!range.has_length()) return {};
   NT const low = *range.low, high = *range.high;
   using Interval = std::pair<NT, NT>;
   std::vector<Interval> covered;
   Box const box = reach(line.on_top(low), line.on_top(high));
   bool const everywhere = field.column_hierarchy().any_item_meeting(box, [&](std::uint32_t g) {
-    Range const r = line.covered_by(field.columns()[g]);
+    LineRange const r = line.covered_by(field.columns()[g]);
     if (!r.has_length()) return false;
     covered.emplace_back(*r.low, *r.high);
     return *r.low <= low && high <= *r.high;

@@ -1,6 +1,7 @@
 #include "scenes.hpp"
 #include "support/catch.hpp"
 #include "visibility/evidence/witness.hpp"
+#include "visibility/scene/meets_cell.hpp"
 
 using namespace visibility;
 using test::boxes;

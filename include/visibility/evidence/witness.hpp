@@ -11,9 +11,6 @@ namespace visibility {
 /// A witness whose ends coincide proves nothing.
 bool confirm(PreparedScene const& scene, ViewCell const& cell, Witness const& witness);
 
-/// Whether the object meets the closed cell, which makes it visible without a witness. Exact.
-bool meets_cell(PreparedScene const& scene, ViewCell const& cell, std::uint32_t object);
-
 /// A sight line as floating-point rays propose it.
 struct Candidate {
   std::uint32_t object;

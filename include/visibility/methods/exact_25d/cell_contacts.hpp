@@ -14,6 +14,7 @@ struct CellContacts {
   /// Edges inside the outline of columns that reach the cell's top: what they hide from part of the cell is not
   /// modelled. Ascending.
   std::vector<std::uint32_t> ignored_edges;
+  bool all_occlude = true;  ///< false if columns reach the cell's top inside its outline: edges may be ignored
   /// False if an edge is ignored, or if it is open whether an object is visible from right above: the set is then
   /// conservative.
   bool exact = true;

@@ -44,7 +44,8 @@ void Search<A>::insert_in_leaf(Index leaf, Edge const& whole, Funnel const& line
   if (leaf != Tree::none) leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
   if (leaf == Tree::none) return;
   bool const everywhere = order == PlanOrder::after;
-  if (everywhere && options_.penumbra_wedges && !tree_.leaf(leaf).blockers.empty() && cell_.inner.empty()) {
+  if (everywhere && options_.penumbra_wedges && !keeps_dominated_ && !tree_.leaf(leaf).blockers.empty() &&
+      cell_.inner.empty()) {
     auto const& part = tree_.leaf(leaf);
     EdgeRange const t = crossed_range(lines, gate(edge));
     Edge const entry = cell_.entry(part.entry), exit = cell_.exit(part.exit);

@@ -33,16 +33,10 @@ bool Search<A>::is_flush(Target const& target) const
   for (std::size_t i = 0; i < cell_.size(); ++i) {
     Edge const side = cell_.exit(i);
     if (plan_order<A>(gate(side), gate(edge)) != PlanOrder::collinear) continue;
-    // Both run from left to right; positions of the side's ends on the edge, by the coordinate in which it is longer.
-    bool const along_x = std::fabs(edge.right.x - edge.left.x) >= std::fabs(edge.right.y - edge.left.y);
-    auto const position = [&](Point3d const& p) {
-      RationalNumber const from(along_x ? edge.left.x : edge.left.y), to(along_x ? edge.right.x : edge.right.y);
-      return RationalNumber((RationalNumber(along_x ? p.x : p.y) - from) / (to - from));
-    };
-    RationalNumber const left = position(side.left), right = position(side.right);
-    if (!(left < right)) continue;  // crossed the other way
-    if (target.is_fully_exposed() ? left < 1 && right > 0 : std::ranges::any_of(target.parts(), [&](auto const& part) {
-          return left < part.high && right > part.low;
+    auto const along = along_side(plan_segment(edge), cell_, i);
+    if (!along) continue;  // crossed the other way
+    if (target.is_fully_exposed() || std::ranges::any_of(target.parts(), [&](auto const& part) {
+          return along->low < part.high && along->high > part.low;
         }))
       return true;
   }

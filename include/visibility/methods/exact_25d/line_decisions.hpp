@@ -51,11 +51,8 @@ template <Arithmetic A>
 template <class Answer>
 auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Answer const& answer) -> Find
 {
-  auto const& l = tree_.leaf(leaf);
-  for (auto const& f : l.blockers)
-    question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
   Find find = Find::nothing;
-  question.any_line([&](Point3q const& start, Point3q const& end) {
+  question_in(leaf, std::move(question)).any_line([&](Point3q const& start, Point3q const& end) {
     find = answer(start, end);
     return find != Find::nothing;
   });
@@ -69,16 +66,33 @@ template <class Shoot, class Found>
 auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot,
                         Found const& found_from) -> Find
 {
-  if (!A::is_exact || options_.occluder_shrink > 0) return found_from(start), Find::visible;
+  return confirm(
+    leaf,
+    [&](RationalNumber const& step) {
+      Point3q const p = between(start, middle_, step);
+      Point3q low = end;
+      low.z = end.z - step;
+      return std::pair(p, between(p, low, RationalNumber(1) + step));
+    },
+    shoot, [&](Point3q const& p, Point3q const&) { return found_from(p), true; });
+}
+
+/// The same for a line that is moved by smaller and smaller steps, until found(p, q) accepts it.
+template <Arithmetic A>
+template <class LineAt, class Shoot, class Found>
+auto Search<A>::confirm(Index leaf, LineAt const& line_at, Shoot const& shoot, Found const& found) -> Find
+{
+  bool const is_faithful = A::is_exact && options_.occluder_shrink == 0;
   RationalNumber step(0x1p-8);
   for (int i = 0; i < 12; ++i, step = step * step) {
-    Point3q const p = between(start, middle_, step);
-    Point3q low = end;
-    low.z = end.z - step;
-    Point3q const q = between(p, low, RationalNumber(1) + step);
+    auto const [p, q] = line_at(step);
+    if (!is_faithful) return found(p, q), Find::visible;
     ++counts_.shots;
     auto const blocker = shoot(p, q);
-    if (!blocker) return found_from(p), Find::visible;
+    if (!blocker) {
+      if (found(p, q)) return Find::visible;
+      continue;
+    }
     Edge const edge = portal(field_, *blocker);
     if (holds(leaf, edge)) continue;
     ++counts_.shots_blocked;

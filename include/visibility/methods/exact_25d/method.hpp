@@ -2,10 +2,14 @@
 
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/methods/exact_25d/counts.hpp"
+#include "visibility/methods/exact_25d/explanation.hpp"
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/scene/height_field.hpp"
+#include "visibility/scene/occludees.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/view_cell.hpp"
+
+#include <utility>
 
 namespace visibility {
 
@@ -22,6 +26,17 @@ public:
   /// The visible objects: `exact`; `conservative` if columns reach into the cell so high that what they hide from parts
   /// of it matters; `none` with `Double`. Statistics: see exact_25d::Counts.
   PotentiallyVisibleSet operator()(HeightField const& field, ViewCell const& cell) const;
+  /// The visible ones of occludees that are apart from what hides them; indices are those of the occludees' scene.
+  /// Columns are occluders only. `conservative` only if columns reach the cell's top inside its outline.
+  /// Source: [Bittner05, §3]; proofs/occludees.md.
+  PotentiallyVisibleSet operator()(HeightField const& occluders, Occludees const& occludees,
+                                   ViewCell const& cell) const;
+
+  /// The visible objects, and why: the visible parts of all top edges, and the subdivision of line space.
+  /// Parts are exact under the same conditions as the set; of an edge inside the cell's outline they are what can be
+  /// seen from right above.
+  std::pair<PotentiallyVisibleSet, exact_25d::Explanation> explain(HeightField const& field,
+                                                                   ViewCell const& cell) const;
 
 private:
   Options options_;

@@ -63,7 +63,20 @@ public:
     decide(0, 0, accept);
   }
 
+  /// Calls accept(positions on the target that are seen) for each case, until it returns true. Requires: the target is
+  /// not constructed.
+  template <class Accept>
+  void any_target_part(Accept const& accept)
+  {
+    decide(0, 0, Parts<Accept>{accept});
+  }
+
 private:
+  /// What is asked for: parts of the target instead of lines.
+  template <class Accept>
+  struct Parts {
+    Accept const& accept;
+  };
   using Side = PortalSequence::Side;
   using Number = std::conditional_t<std::same_as<A, Rational>, RationalNumber, ExactNumber>;
 
@@ -100,6 +113,11 @@ private:
   bool decide(std::size_t next, std::size_t condition, Accept const& accept);
   template <class NT, class Accept>
   bool answer(Accept const& accept) const;
+  template <class NT, class Accept>
+  bool answer(Parts<Accept> const& parts) const
+  {
+    return parts.accept(PortalDecision<NT>(sequence_).target_parts());
+  }
 
   static RationalNumber side(Gate<RationalNumber> const& e, Point2q const& x)
   {

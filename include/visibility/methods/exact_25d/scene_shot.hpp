@@ -52,6 +52,17 @@ public:
     return highest(p, q, [&](std::uint32_t, PortalSequence::Edge const& f) { return position(p, q, f) < last; });
   }
 
+  /// The same for what is crossed before the end of the segment.
+  template <class NT>
+  std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q) const
+  {
+    using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
+    return highest(p, q, [&](std::uint32_t, PortalSequence::Edge const& f) {
+      auto const left = visibility::detail::as<NT>(f.left), right = visibility::detail::as<NT>(f.right);
+      return is_positive(orient2d<Exactness>(horizontal(left), horizontal(right), horizontal(q)));
+    });
+  }
+
 private:
   using Edge = PortalSequence::Edge;
 

@@ -3,12 +3,16 @@
 #include "visibility/line_space/occlusion_tree.hpp"
 #include "visibility/methods/exact_25d/cell_contacts.hpp"
 #include "visibility/methods/exact_25d/counts.hpp"
+#include "visibility/methods/exact_25d/explanation.hpp"
 #include "visibility/methods/exact_25d/options.hpp"
+#include "visibility/methods/exact_25d/outline_ranges.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
 #include "visibility/methods/exact_25d/seam_wedge.hpp"
 #include "visibility/methods/exact_25d/sight_line.hpp"
 #include "visibility/methods/exact_25d/target.hpp"
+#include "visibility/scene/exposed_lines.hpp"
+#include "visibility/scene/occludees.hpp"
 #include "visibility/scene/seams.hpp"
 
 #include <algorithm>
@@ -24,30 +28,43 @@ namespace visibility::exact_25d {
 template <Arithmetic A>
 class Search {
 public:
-  /// Keeps references.
-  Search(HeightField const& field, ViewCell const& view, Options const& options)
-    : field_(field), view_(view), options_(options), cell_(view), tree_(cell_),
+  /// Keeps references. `occludees`: what is looked for; if null, the objects of the height field.
+  Search(HeightField const& field, ViewCell const& view, Options const& options, Occludees const* occludees = nullptr)
+    : field_(field), view_(view), options_(options), occludees_(occludees), cell_(view), tree_(cell_),
       contacts_(cell_contacts(field, view, cell_)), shot_(field, view, contacts_.ignored_edges),
       is_visible_(field.scene().objects.size()),
       middle_(middle_of(view)), near_middle_{CGAL::to_double(middle_.x), CGAL::to_double(middle_.y),
                                              CGAL::to_double(middle_.z)}
   {
     for (auto const o : contacts_.visible) is_visible_[o] = true;
+    if (occludees == nullptr) return;
+    is_visible_.assign(is_visible_.size(), true);  // nobody asks
+    is_found_.resize(occludees->object_count());
   }
 
   void run()
   {
     traverse();
+    if (occludees_ != nullptr) return look_for_occludees();
     if (options_.occlusion == Occlusion::exact) settle_open();
     for (std::size_t i = 0; i < field_.seams().size(); ++i) settle(field_.seams()[i], field_.seam_bounds()[i]);
   }
 
-  std::vector<bool> const& is_visible() const { return is_visible_; }
+  /// By object of what is looked for.
+  std::vector<bool> const& is_visible() const { return occludees_ != nullptr ? is_found_ : is_visible_; }
   CellContacts const& contacts() const { return contacts_; }
   OcclusionTree<A> const& tree() const { return tree_; }
   Counts const& counts() const { return counts_; }
   /// One for each visible object but those that are visible by contact; if `Options::witnesses`.
   std::vector<FoundLine> const& lines() const { return lines_; }
+  /// The same of occludees.
+  std::vector<Witness> const& occludee_witnesses() const { return occludee_witnesses_; }
+
+  /// To be called before run() if visible_edges() is to be called afterwards: of two edges in a leaf, the one in front
+  /// may be of no use behind the other one, but it is in between.
+  void keep_dominated() { keeps_dominated_ = true; }
+  std::vector<VisibleEdge> visible_edges();
+  CellOutline const& cell() const { return cell_; }
 
 private:
   using Tree = OcclusionTree<A>;
@@ -91,10 +108,30 @@ private:
   Find sample(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column);
+  std::vector<PositionRange> visible_parts(CrossedEdge const& crossed);
+  PortalQuestion<A> question_in(Index leaf, PortalQuestion<A> question) const
+  {
+    auto const& l = tree_.leaf(leaf);
+    for (auto const& f : l.blockers)
+      question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
+    return question;
+  }
   template <class Answer>
   Find ask(PortalQuestion<A> question, Index leaf, Answer const& answer);
   template <class Shoot, class Found>
   Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot, Found const& found_from);
+  template <class LineAt, class Shoot, class Found>
+  Find confirm(Index leaf, LineAt const& line_at, Shoot const& shoot, Found const& found);
+
+  void look_for_occludees();
+  bool is_culled(Box const& box);
+  bool is_over_cell(Box const& box) const;
+  bool is_flush(SeamPart const& part) const;
+  bool look_at(std::uint32_t piece, std::vector<ExposedLine> const& lines, bool decided);
+  Find sample(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge);
+  Find decide(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge);
+  bool found_occludee(std::uint32_t piece, Point3q const& from, Point3q const& to);
+
   static Point3q middle_of(ViewCell const& view)
   {
     RationalNumber const n(static_cast<double>(view.vertices().size()));
@@ -124,6 +161,7 @@ private:
   HeightField const& field_;
   ViewCell const& view_;
   Options options_;
+  Occludees const* occludees_;
   CellOutline cell_;
   Tree tree_;
   CellContacts contacts_;
@@ -131,6 +169,9 @@ private:
   std::vector<bool> is_visible_;
   std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
   std::vector<FoundLine> lines_;
+  std::vector<bool> is_found_;  // of occludees
+  std::vector<Witness> occludee_witnesses_;
+  bool keeps_dominated_ = false;
   Point3q middle_;  // in the interior of the cell
   Point3d near_middle_;
   Counts counts_;
@@ -284,3 +325,5 @@ void Search<A>::settle(Seam const& seam, Box const& bounds)
 #include "visibility/methods/exact_25d/leaf_tests.hpp"
 #include "visibility/methods/exact_25d/line_decisions.hpp"
 #include "visibility/methods/exact_25d/line_samples.hpp"
+#include "visibility/methods/exact_25d/occludee_search.hpp"
+#include "visibility/methods/exact_25d/visible_parts.hpp"

@@ -1,4 +1,5 @@
-#include "visibility/evidence/witness.hpp"
+#include "visibility/scene/meets_cell.hpp"
+
 #include "visibility/predicates/orient3d.hpp"
 
 #include <algorithm>
