@@ -13,11 +13,11 @@ Answer visible_objects(std::span<Column const> columns, std::size_t object_count
 
   detail::Plan const plan(columns, cell);
   detail::Posts posts(plan);
-  detail::Search search(columns, cell, plan, posts);
+  detail::Search search(plan, posts, [&](Witness const& w) { return confirms(columns, cell, w); });
   for (int i = 0; i < plan.columns; ++i) {
     auto const object = columns[std::size_t(i)].object;
     if (answer.verdict[object] == Verdict::visible) continue;
-    auto const result = search(i);
+    auto const result = search(i, object);
     if (result.witness) {
       answer.verdict[object] = Verdict::visible;
       answer.witness[object] = result.witness;

@@ -20,6 +20,12 @@ struct Column {
   std::vector<bool> inner;       ///< inner[i]: the side from corner i to i + 1 is no face; empty: every side is one
 };
 
+/// What occludes nothing: convex planar polygons in space, each in any position. Corners may lie on sides of the
+/// polygon or repeat; polygons without area count for nothing.
+struct Occludee {
+  std::vector<std::vector<Point3d>> polygons;
+};
+
 /// A flat-topped prism. Requires: counterclockwise convex footprint with area; bottom < top.
 struct Cell {
   std::vector<Point2d> footprint;
@@ -28,7 +34,7 @@ struct Cell {
 
 enum class Verdict { hidden, visible, undecided };
 
-/// By object. A visible object that meets the closed cell has no witness, every other visible one has.
+/// By object or occludee. One that is visible and meets the closed cell has no witness, every other visible one has.
 struct Answer {
   std::vector<Verdict> verdict;
   std::vector<std::optional<Witness>> witness;
@@ -40,14 +46,25 @@ struct Answer {
 /// what Column and Cell require. At most 60 columns.
 Answer visible_objects(std::span<Column const> columns, std::size_t object_count, Cell const& cell);
 
+/// By occludee: the same question for what occludes nothing, neither others nor itself. Columns are no targets here and
+/// their objects play no part. Throws as above, and if a polygon is not planar or not convex.
+Answer visible_occludees(std::span<Column const> columns, std::span<Occludee const> occludees, Cell const& cell);
+
 /// Whether the witness proves what it says: `from` in the cell's interior, `to` in the relative interior of a face of a
 /// column of the object, no column met by the segment before `to`. Straight from the definition, in rationals.
 bool confirms(std::span<Column const> columns, Cell const& cell, Witness const& witness);
 
+/// The same for an occludee: `to` in the relative interior of one of its polygons. The witness's object is not looked
+/// at.
+bool confirms(std::span<Column const> columns, Occludee const& occludee, Cell const& cell, Witness const& witness);
+
 /// Whether the closed column and the closed cell share a point.
 bool meets(Column const& column, Cell const& cell);
+/// Whether a polygon with area and the closed cell share a point.
+bool meets(Occludee const& occludee, Cell const& cell);
 
 /// Throws std::invalid_argument naming what the input breaks.
 void validate(std::span<Column const> columns, std::size_t object_count, Cell const& cell);
+void validate(Occludee const& occludee);
 
 }  // namespace visibility::oracle

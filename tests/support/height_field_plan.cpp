@@ -7,13 +7,15 @@ namespace visibility::oracle::detail {
 namespace {
 
 /// A power of two about as large as the scene in plan.
-double extent(std::span<Column const> columns, Cell const& cell)
+double extent(std::span<Column const> columns, Cell const& cell, std::span<Point3d const> target)
 {
   double reach = 0;
   auto const& o = cell.footprint[0];
-  for (auto const& p : cell.footprint) reach = std::max({reach, std::fabs(p.x - o.x), std::fabs(p.y - o.y)});
-  for (auto const& c : columns)
-    for (auto const& p : c.corners) reach = std::max({reach, std::fabs(p.x - o.x), std::fabs(p.y - o.y)});
+  auto const include = [&](auto const& points) {
+    for (auto const& p : points) reach = std::max({reach, std::fabs(p.x - o.x), std::fabs(p.y - o.y)});
+  };
+  include(cell.footprint), include(target);
+  for (auto const& c : columns) include(c.corners);
   return std::ldexp(1.0, std::clamp(std::ilogb(reach), -1000, 1000));
 }
 
@@ -35,35 +37,64 @@ bool on(Segment const& s, Vector const& p)
 
 }  // namespace
 
-Plan::Plan(std::span<Column const> input, Cell const& cell)
-  : origin(cell.footprint[0]), unit(extent(input, cell)), columns(static_cast<int>(input.size()))
+Plan::Plan(std::span<Column const> input, Cell const& cell, std::span<Point3d const> target)
+  : origin(cell.footprint[0]), unit(extent(input, cell, target)), columns(static_cast<int>(input.size()))
 {
   for (auto const& c : input) {
     std::vector<Vector> corners;
     for (auto const& p : c.corners) corners.push_back(point(p.x, p.y));
-    add_polygon(corners, top_of(c), c.inner);
+    add_polygon(corners, top_of(c.corners), c.inner);
   }
   std::vector<Vector> corners;
   for (auto const& p : cell.footprint) corners.push_back(point(p.x, p.y));
   add_polygon(corners, {{NT(0), NT(0), NT(cell.top)}, NT(1)}, {});
 
+  if (!target.empty()) add_target(target);
+
   first_ridge = static_cast<int>(segments.size());
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < i; ++j) add_ridge(i, j);
+  if (!target.empty())
+    for (int j = 0; j < columns; ++j)
+      is_fence(this->target()) ? add_piercing(this->target(), j) : add_ridge(this->target(), j);
   add_crossings();
 }
 
-Plane Plan::top_of(Column const& column) const
+/// The plane of a polygon with area in plan.
+Plane Plan::top_of(std::span<Point3d const> c) const
 {
-  auto const& c = column.corners;
-  if (c.size() > 3 || (c[0].z == c[1].z && c[0].z == c[2].z)) return {{NT(0), NT(0), NT(c[0].z)}, NT(1)};
+  if (std::ranges::all_of(c, [&](Point3d const& p) { return p.z == c[0].z; }))
+    return {{NT(0), NT(0), NT(c[0].z)}, NT(1)};
   Vector const first = point(c[0].x, c[0].y);
   auto const from_first = [&](Point3d const& q) {
     Vector const p = point(q.x, q.y);
     return Vector{p.x - first.x, p.y - first.y, NT(q.z) - NT(c[0].z)};
   };
-  Vector const n = cross(from_first(c[1]), from_first(c[2]));
+  std::size_t k = 1;  // the first corners may lie on one side
+  Vector n = cross(from_first(c[1]), from_first(c[2]));
+  while (n.z == 0 && k + 2 < c.size()) ++k, n = cross(from_first(c[k]), from_first(c[k + 1]));
   return {{-n.x, -n.y, dot(n, {first.x, first.y, NT(c[0].z)})}, n.z};
+}
+
+/// A plane through the edge: that level across it.
+Plane Plan::top_of_fence(Point3d const& a, Point3d const& b) const
+{
+  Vector const p = point(a.x, a.y), q = point(b.x, b.y);
+  NT const x = q.x - p.x, y = q.y - p.y, rise = NT(b.z) - NT(a.z), length_sq = x * x + y * y;
+  return {{rise * x, rise * y, NT(a.z) * length_sq - rise * (x * p.x + y * p.y)}, length_sq};
+}
+
+void Plan::add_target(std::span<Point3d const> target)
+{
+  std::vector<Vector> corners;
+  for (auto const& p : target) corners.push_back(point(p.x, p.y));
+  if (target.size() > 2) return add_polygon(corners, top_of(target), {});
+  Polygons const owner = polygon_bit(static_cast<int>(polygons.size()));
+  first_side.push_back(static_cast<int>(segments.size()));
+  segments.push_back({corners[0], corners[1], cross(corners[0], corners[1]), owner});
+  for (auto const& c : corners) events.push_back({c, owner});
+  polygons.push_back(corners);
+  tops.push_back(top_of_fence(target[0], target[1]));
 }
 
 void Plan::add_polygon(std::vector<Vector> const& corners, Plane const& top, std::vector<bool> const& inner)
@@ -79,18 +110,30 @@ void Plan::add_polygon(std::vector<Vector> const& corners, Plane const& top, std
   tops.push_back(top);
 }
 
-/// Where the tops of two columns have the same height over both polygons, if that is a segment.
+/// Whether the closed polygon with area holds the point.
+bool Plan::in(int polygon, Vector const& point) const
+{
+  for (int k = 0; k < side_count(polygon); ++k)
+    if (dot(segments[std::size_t(first_side[std::size_t(polygon)] + k)].line, point) < 0) return false;
+  return true;
+}
+
+/// Where the upper edge of a fence pierces a column's top: a point.
+void Plan::add_piercing(int fence, int column)
+{
+  auto const &p = tops[std::size_t(fence)], &q = tops[std::size_t(column)];
+  auto const& side = segments[std::size_t(first_side[std::size_t(fence)])];
+  Vector const x = meet((q.scale * p.form) + (-(p.scale * q.form)), side.line);
+  if (x.z != 0 && on(side, x) && in(column, x)) events.push_back({x, side.owners | polygon_bit(column)});
+}
+
+/// Where the tops of two polygons have the same height over both.
 void Plan::add_ridge(int i, int j)
 {
   auto const &p = tops[std::size_t(i)], &q = tops[std::size_t(j)];
   Vector line = (q.scale * p.form) + (-(p.scale * q.form));
   if (line.x == 0 && line.y == 0) return;
   Polygons const owners = polygon_bit(i) | polygon_bit(j);
-  auto const in = [&](int polygon, Vector const& x) {
-    for (int k = 0; k < side_count(polygon); ++k)
-      if (dot(segments[std::size_t(first_side[std::size_t(polygon)] + k)].line, x) < 0) return false;
-    return true;
-  };
   std::vector<Vector> ends;
   for (int polygon : {i, j})
     for (int k = 0; k < side_count(polygon); ++k) {
@@ -104,7 +147,10 @@ void Plan::add_ridge(int i, int j)
   auto const before = [&](Vector const& a, Vector const& b) { return along(a, b) > 0; };
   if (ends.empty()) return;
   auto const [a, b] = std::ranges::minmax_element(ends, before);
-  if (along(*a, *b) == 0) return;
+  if (along(*a, *b) == 0) {  // they touch there: what is higher along the common side changes
+    events.push_back({*a, owners});
+    return;
+  }
   Segment ridge{*a, *b, line, owners, false};
   if (dot(cross(ridge.a, ridge.b), line) < 0) ridge.line = -line;
   segments.push_back(ridge);

@@ -33,7 +33,7 @@ struct Plane {
   NT scale;
 };
 
-/// A set of polygons: bit i is column i, the last bit the cell.
+/// A set of polygons: bit i is column i, then comes the cell, then the target if it is no column.
 using Polygons = std::uint64_t;
 constexpr Polygons polygon_bit(int i) { return Polygons{1} << i; }
 
@@ -52,7 +52,9 @@ struct Event {
 };
 
 struct Plan {
-  Plan(std::span<Column const> columns, Cell const& cell);
+  /// `target`: a convex polygon that is no column, counterclockwise with area in plan; or two points, the upper edge of
+  /// a fence: what a vertical polygon looks like in plan.
+  Plan(std::span<Column const> columns, Cell const& cell, std::span<Point3d const> target = {});
 
   Point2d origin;  ///< of the plan's coordinates, a corner of the cell
   double unit;     ///< of them, a power of two: the whole plan lies about as far from the origin. A choice.
@@ -66,22 +68,32 @@ struct Plan {
   int first_ridge;            ///< segments from here on are ridges
 
   int cell() const { return columns; }
+  int target() const { return columns + 1; }
+  int polygon_count() const { return static_cast<int>(polygons.size()); }
+  bool is_fence(int polygon) const { return polygons[std::size_t(polygon)].size() == 2; }
   /// Where a point of the plan lies in the scene.
   Point3q in_scene(Point2q const& p, RationalNumber const& z) const
   {
     using Q = RationalNumber;
     return {p.x * Q(unit) + Q(origin.x), p.y * Q(unit) + Q(origin.y), z};
   }
-  int side_count(int polygon) const { return static_cast<int>(polygons[std::size_t(polygon)].size()); }
+  int side_count(int polygon) const
+  {
+    return is_fence(polygon) ? 1 : static_cast<int>(polygons[std::size_t(polygon)].size());
+  }
 
 private:
   Vector point(double x, double y) const
   {
     return {NT(1 / unit) * (NT(x) - NT(origin.x)), NT(1 / unit) * (NT(y) - NT(origin.y)), NT(1)};
   }
-  Plane top_of(Column const& column) const;
+  Plane top_of(std::span<Point3d const> corners) const;
+  Plane top_of_fence(Point3d const& a, Point3d const& b) const;
+  void add_target(std::span<Point3d const> corners);
   void add_polygon(std::vector<Vector> const& corners, Plane const& top, std::vector<bool> const& inner);
+  bool in(int polygon, Vector const& point) const;
   void add_ridge(int i, int j);
+  void add_piercing(int fence, int column);
   void add_crossings();
 };
 

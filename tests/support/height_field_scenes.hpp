@@ -133,7 +133,7 @@ inline HeightCase height_case(Random& random, HeightScene kind, int objects)
   return out;
 }
 
-inline std::vector<oracle::Column> oracle_columns(HeightField const& field)
+inline std::vector<oracle::Column> oracle_columns(visibility::HeightField const& field)
 {
   std::vector<oracle::Column> out;
   for (auto const& c : field.columns()) {

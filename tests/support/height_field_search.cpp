@@ -20,9 +20,10 @@ Order order(Plan const& plan, Stop a, Stop b, std::span<Vector const> rays)
 
 }  // namespace
 
-Search::Result Search::operator()(int target)
+Search::Result Search::operator()(int target, std::uint32_t object)
 {
   target_ = target;
+  object_ = object;
   result_ = {};
   if (try_some_lines()) return result_;
   Events pending;
@@ -31,7 +32,7 @@ Search::Result Search::operator()(int target)
   for (auto const& e : plan_.events) pending.push_back(&e);
   std::ranges::stable_partition(pending, [&](Event const* e) { return (e->owners & ~ends) == 0; });
   for (auto const& cone : all_lines())
-    if (visit(cone, std::vector<Known>(std::size_t(plan_.columns) + 1), pending)) break;
+    if (visit(cone, std::vector<Known>(std::size_t(plan_.polygon_count())), pending)) break;
   return result_;
 }
 
@@ -68,7 +69,7 @@ void Search::drop_columns(std::span<Vector const> rays, std::vector<Known>& know
 bool Search::visit(Cone const& cone, std::vector<Known> known, Events const& pending)
 {
   ++cones;
-  for (int i = 0; i <= plan_.columns; ++i)
+  for (int i = 0; i < plan_.polygon_count(); ++i)
     if (known[std::size_t(i)].state == Known::mixed) known[std::size_t(i)] = classify(i, cone.rays);
   auto const &cell = known[std::size_t(plan_.cell())], &own = known[std::size_t(target_)];
   if (cell.state == Known::irrelevant || own.state == Known::irrelevant) return false;
@@ -79,7 +80,7 @@ bool Search::visit(Cone const& cone, std::vector<Known> known, Events const& pen
     if (hidden(cone.rays, known)) return false;
   }
   Polygons alive = 0;
-  for (int i = 0; i <= plan_.columns; ++i)
+  for (int i = 0; i < plan_.polygon_count(); ++i)
     if (known[std::size_t(i)].state != Known::irrelevant) alive |= polygon_bit(i);
 
   Events rest;
@@ -97,7 +98,8 @@ bool Search::visit(Cone const& cone, std::vector<Known> known, Events const& pen
 }
 
 /// Whether the columns whose passage is fixed hide the target on the whole cone. Requires: those of cell and target
-/// are.
+/// are. The near end of a polygon takes the place of a column's wall, with more conditions than are tried here; a fence
+/// is a wall alone.
 bool Search::hidden(std::span<Vector const> rays, std::vector<Known> const& known)
 {
   auto const &cell = known[std::size_t(plan_.cell())].passage, &own = known[std::size_t(target_)].passage;
@@ -106,6 +108,7 @@ bool Search::hidden(std::span<Vector const> rays, std::vector<Known> const& know
   for (Stop const s : {cell.leave, cell.enter}) {
     Post const source{s, plan_.cell()}, eave{own.enter, target_}, far_end{own.leave, target_};
     if (face && !blocked(rays, known, source, eave)) return false;
+    if (plan_.is_fence(target_)) continue;
     if (nowhere_positive(posts_.above(source, eave, far_end), rays)) continue;  // the top faces away
     if (!blocked(rays, known, source, far_end)) return false;
   }
@@ -162,12 +165,12 @@ bool Search::accept(Vector const& line, Candidate const* candidate, Polygons ali
     std::optional<Witness> w = candidate != nullptr ? sight_line(plan_, line, *candidate, shrink)
                                                     : view_along(plan_, line, target_, alive, shrink).from_above;
     if (!w) break;
-    w->object = columns_[std::size_t(target_)].object;
-    if (!confirms(columns_, cell_, *w)) continue;
+    w->object = object_;
+    if (!confirm_(*w)) continue;
     result_ = {std::move(w), true};
     return true;
   }
-  throw std::logic_error("height field oracle: a visible column has no sight line");
+  throw std::logic_error("height field oracle: what is visible has no sight line");
 }
 
 bool Search::try_line(Vector const& line)

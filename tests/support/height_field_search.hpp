@@ -2,14 +2,16 @@
 
 #include "support/height_field_lines.hpp"
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace visibility::oracle::detail {
 
-/// Looks for a line along which one column is visible: depth first over cones of lines, each divided by events until
-/// the column is proved hidden on it or the order of the slice is the same for all its lines.
+/// Looks for a line along which one polygon of the plan is visible, a column or the plan's own target: depth first over
+/// cones of lines, each divided by events until it is proved hidden on it or the order of the slice is the same for all
+/// its lines.
 class Search {
 public:
   struct Result {
@@ -17,11 +19,12 @@ public:
     bool decided = true;
   };
 
-  Search(std::span<Column const> columns, Cell const& cell, Plan const& plan, Posts& posts)
-    : columns_(columns), cell_(cell), plan_(plan), posts_(posts)
-  {
-  }
-  Result operator()(int target);
+  /// Whether the sight line of a witness is free and ends on what its object number says.
+  using Confirm = std::function<bool(Witness const&)>;
+
+  Search(Plan const& plan, Posts& posts, Confirm confirm) : plan_(plan), posts_(posts), confirm_(std::move(confirm)) {}
+  /// `object`: what witnesses are to name.
+  Result operator()(int target, std::uint32_t object);
 
   std::uint64_t cones = 0, leaves = 0;  ///< looked at so far
 
@@ -43,13 +46,13 @@ private:
   std::vector<Form const*> forms(Candidate const& candidate);
   bool accept(Vector const& line, Candidate const* candidate, Polygons alive);
   bool try_some_lines();
-  Polygons all() const { return (polygon_bit(plan_.columns) << 1) - 1; }
+  Polygons all() const { return polygon_bit(plan_.polygon_count()) - 1; }
 
-  std::span<Column const> columns_;
-  Cell const& cell_;
   Plan const& plan_;
   Posts& posts_;
+  Confirm confirm_;
   int target_ = 0;
+  std::uint32_t object_ = 0;
   Result result_;
 };
 

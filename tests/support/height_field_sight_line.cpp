@@ -1,31 +1,13 @@
 // Sight lines and contact with the cell, by clipping in rationals; knows nothing of the search.
 
-#include "support/height_field_oracle.hpp"
+#include "support/height_field_rational.hpp"
 
-#include <stdexcept>
+#include <algorithm>
 
 namespace visibility::oracle {
-namespace {
+namespace rational {
 
 using NT = RationalNumber;
-
-Point2q plan(Point3d const& p) { return {NT(p.x), NT(p.y)}; }
-Point2q plan(Point2d const& p) { return {NT(p.x), NT(p.y)}; }
-Point2q plan(Point3q const& p) { return {p.x, p.y}; }
-
-/// Positive iff r lies left of the line from p to q.
-NT turn(Point2q const& p, Point2q const& q, Point2q const& r)
-{
-  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
-}
-
-template <class P>
-std::vector<Point2q> polygon(std::vector<P> const& corners)
-{
-  std::vector<Point2q> out;
-  for (auto const& c : corners) out.push_back(plan(c));
-  return out;
-}
 
 bool inside(std::vector<Point2q> const& convex, Point2q const& p)
 {
@@ -34,7 +16,6 @@ bool inside(std::vector<Point2q> const& convex, Point2q const& p)
   return true;
 }
 
-/// The height of the column's top plane over any point of the plane.
 NT height(Column const& column, Point2q const& p)
 {
   auto const& c = column.corners;
@@ -44,7 +25,6 @@ NT height(Column const& column, Point2q const& p)
   return (turn(b, d, p) * NT(c[0].z) + turn(d, a, p) * NT(c[1].z) + turn(a, b, p) * NT(c[2].z)) / turn(a, b, d);
 }
 
-/// Whether the half-open segment [p, s) meets the closed column.
 bool meets(Column const& column, Point3q const& p, Point3q const& s)
 {
   NT first = 0, last = 1;
@@ -68,6 +48,11 @@ bool meets(Column const& column, Point3q const& p, Point3q const& s)
   keep(height(column, plan(p)) - p.z, height(column, plan(s)) - s.z);
   return !empty && first <= last && first < 1;
 }
+
+}  // namespace rational
+namespace {
+
+using namespace rational;
 
 /// Whether the point lies in the relative interior of a face of the column.
 bool on_face(Column const& column, Point3q const& s)
@@ -112,11 +97,6 @@ bool has_area(std::vector<Point2q> const& ring)
   NT sum = 0;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += turn(ring[0], ring[i], ring[i + 1]);
   return sum > 0;
-}
-
-void require(bool condition, char const* what)
-{
-  if (!condition) throw std::invalid_argument(std::string("height field: ") + what);
 }
 
 void require_convex(std::vector<Point2q> const& ring)

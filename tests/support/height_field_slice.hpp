@@ -21,18 +21,21 @@ struct Post {
   int top;  ///< number of the polygon
 };
 
-/// A way in which a line can see a column: the segment from `source` (an end of the cell's top) to `target` (the top of
-/// a wall, or the far end of a visible piece of the column's top) passes strictly above every post of `occluders`.
+/// A way in which a line can see a target: the segment from `source` (an end of the cell's top) to `target` passes
+/// strictly above every post of `occluders`. What is seen is a wall or fence right below its top, a top or polygon just
+/// before the far end of a piece that no column covers, or a polygon just behind its near end.
 struct Candidate {
+  enum class Kind { wall, far_end, near_end };
+
   Post source, target;
-  bool wall;
+  Kind kind;
   std::vector<Post> occluders;
 };
 
-/// What a line shows of a column.
+/// What a line shows of a target.
 struct View {
   std::vector<Candidate> candidates;
-  std::optional<Witness> from_above;  ///< the column is seen for sure, inside the cell's footprint
+  std::optional<Witness> from_above;  ///< the target is seen for sure, inside the cell's footprint
 };
 
 /// The directed line must pass through no event of the plan whose polygons are all in `alive`; only those polygons
@@ -42,7 +45,7 @@ View view_along(Plan const& plan, Vector const& line, int target, Polygons alive
 /// The sight line of a candidate, moved by `shrink` off its limits into the interiors of cell and face.
 Witness sight_line(Plan const& plan, Vector const& line, Candidate const& candidate, RationalNumber const& shrink);
 
-/// The stops by which the line enters and leaves the polygon, if it meets its interior.
+/// The stops by which the line enters and leaves the polygon, if it meets its interior; of a fence the one stop, twice.
 struct Passage {
   Stop enter, leave;
 };
