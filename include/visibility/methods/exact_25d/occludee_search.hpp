@@ -195,7 +195,7 @@ auto Search<A>::decide(Index leaf, Funnel const& funnel, std::uint32_t piece, Ex
 template <Arithmetic A>
 bool Search<A>::found_occludee(std::uint32_t piece, Point3q const& from, Point3q const& to)
 {
-  bool const is_faithful = A::is_exact && options_.occluder_shrink == 0 && contacts_.ignored_edges.empty();
+  bool const is_faithful = A::is_exact && options_.occluder_shrink == 0 && contacts_.all_occlude;
   if (is_faithful && !is_free(field_, from, to)) return false;
   auto const object = occludees_->pieces()[piece].object;
   is_found_[object] = true;
