@@ -50,6 +50,21 @@ Answer visible_objects(std::span<Column const> columns, std::size_t object_count
 /// their objects play no part. Throws as above, and if a polygon is not planar or not convex.
 Answer visible_occludees(std::span<Column const> columns, std::span<Occludee const> occludees, Cell const& cell);
 
+/// How sight lines cross an edge of a top from corner `side` to the next: from its right to its left, so that they see
+/// the wall below it, or from its left to its right, so that they see the top just before it.
+enum class Crossing { entering, leaving };
+
+/// Whether some sight lines from the cell reach the point at a + t (b - a) of a column's top edge ab, crossing it that
+/// way, above every column before it; it does not matter whether the side is a face. Hidden or visible, never
+/// undecided. The visible positions are open but for finitely many, whose verdict may differ from that of their
+/// neighbours: those where a corner of a column or of the cell, or a crossing of sides, has its plan on the edge.
+/// Requires: 0 < t < 1. Throws as above.
+Verdict sees_edge_at(std::span<Column const> columns, std::size_t column, std::size_t side, Crossing crossing,
+                     RationalNumber const& t, Cell const& cell);
+/// Such a sight line, if there are any: to the wall right below that point, or to the top right before it.
+std::optional<Witness> sight_line_to_edge(std::span<Column const> columns, std::size_t column, std::size_t side,
+                                          Crossing crossing, RationalNumber const& t, Cell const& cell);
+
 /// Whether the witness proves what it says: `from` in the cell's interior, `to` in the relative interior of a face of a
 /// column of the object, no column met by the segment before `to`. Straight from the definition, in rationals.
 bool confirms(std::span<Column const> columns, Cell const& cell, Witness const& witness);
