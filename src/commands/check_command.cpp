@@ -61,6 +61,10 @@ void run(Arguments const& a, int& exit_code)
   auto const results = read_results(a.results);
   if (!a.scene.grounded && std::ranges::any_of(results, &Result::grounded))
     throw BadInput(a.results + ": the set is of the grounded scene: add --grounded");
+  if (auto const r = std::ranges::find_if(results, [](Result const& x) { return !x.occludees.empty(); });
+      r != results.end())
+    throw BadInput(a.results + ": the set is of occludees (" + r->occludees +
+                   "), which hide nothing; rays cannot be shot at what is no part of the scene");
   Scene const scene = a.scene.load();
   PreparedScene const prepared(scene);
   RayScene const rays(prepared);

@@ -69,6 +69,9 @@ void add_compare(CLI::App& app, int& exit_code)
         throw BadInput("result " + std::to_string(i + 1) + ": the two files are about different cells");
       if (a[i].grounded != b[i].grounded)
         std::cout << "note: only " << (a[i].grounded ? "A" : "B") << " is of the grounded scene\n";
+      auto const looked_for = [](Result const& r) { return r.occludees.empty() ? r.source : r.occludees; };
+      if (a[i].occludees != b[i].occludees && looked_for(a[i]) != looked_for(b[i]))
+        std::cout << "note: A looks for " << looked_for(a[i]) << ", B for " << looked_for(b[i]) << '\n';
       if (print_comparison(a[i], b[i], arguments->all ? SIZE_MAX : 10)) exit_code = 1;
     }
   });

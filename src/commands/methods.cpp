@@ -71,6 +71,12 @@ void MethodArguments::add_to(CLI::App& command)
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
     ->delimiter(',');
   command.add_flag("--witnesses", witnesses, "exact-2.5d: write a sight line to every visible object");
+  command.add_option(
+    "--occludees", occludees,
+    "exact-2.5d: look for the objects of this scene (file or gen:...), which hide nothing, instead of those of "
+    "SCENE");
+  command.add_option("--explain", explain,
+                     "exact-2.5d: write visible parts of edges, funnels and shadow planes to this file (JSON)");
   add_count_option(command, "--rays", rays, "sampling: rays to shoot (default 1000000)");
   command.add_option("--seconds", seconds, "sampling: stop after this time (default 0: no limit)");
   command.add_option("--seed", seed, "sampling: seed (default 1)");
@@ -90,6 +96,11 @@ void MethodArguments::validate() const
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
   if (method != "strong-occlusion" && !without.empty()) throw BadInput("--without applies to strong-occlusion only");
   if (method != "exact-2.5d" && witnesses) throw BadInput("--witnesses applies to exact-2.5d only");
+  if (method != "exact-2.5d" && !occludees.empty()) throw BadInput("--occludees applies to exact-2.5d only");
+  if (method != "exact-2.5d" && !explain.empty()) throw BadInput("--explain applies to exact-2.5d only");
+  if (!explain.empty() && !occludees.empty())
+    throw BadInput("--explain is of the scene's own edges: leave out --occludees");
+  if (!explain.empty() && arithmetic == "double") throw BadInput("--explain needs exact arithmetic");
   if (!(seconds >= 0)) throw BadInput("--seconds must not be negative");
 }
 
@@ -118,11 +129,13 @@ void require_height_field(HeightField const& field)
 
 }  // namespace
 
-MethodRunner::MethodRunner(MethodArguments arguments, Scene const& scene) : arguments_(std::move(arguments))
+MethodRunner::MethodRunner(MethodArguments arguments, Scene const& scene, Scene const* occludees)
+  : arguments_(std::move(arguments))
 {
   if (arguments_.method == "exact-2.5d") {
     height_field_.emplace(scene);
     require_height_field(*height_field_);
+    if (occludees != nullptr) occludees_.emplace(targets_.emplace(*occludees));
   } else if (arguments_.method == "strong-occlusion" && !arguments_.no_inner_bodies) {
     scene_.emplace(scene, InnerBodyOptions{});
   } else {
@@ -143,16 +156,37 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
   return set;
 }
 
+template <Arithmetic A>
 PotentiallyVisibleSet MethodRunner::exact_25d(ViewCell const& cell) const
+{
+  exact_25d::Options options;
+  options.witnesses = arguments_.witnesses;
+  Exact25d<A> const method(options);
+  return occludees_ ? method(*height_field_, *occludees_, cell) : method(*height_field_, cell);
+}
+
+PotentiallyVisibleSet MethodRunner::exact_25d(ViewCell const& cell) const
+{
+  require_above_ground(cell);
+  if (arguments_.arithmetic == "rational") return exact_25d<Rational>(cell);
+  if (arguments_.arithmetic == "double") return exact_25d<Double>(cell);
+  return exact_25d<Filtered>(cell);
+}
+
+std::pair<PotentiallyVisibleSet, exact_25d::Explanation> MethodRunner::explain(ViewCell const& cell) const
+{
+  require_above_ground(cell);
+  exact_25d::Options options;
+  options.witnesses = arguments_.witnesses;
+  if (arguments_.arithmetic == "rational") return Exact25d<Rational>(options).explain(*height_field_, cell);
+  return Exact25d<Filtered>(options).explain(*height_field_, cell);
+}
+
+void MethodRunner::require_above_ground(ViewCell const& cell) const
 {
   if (cell.bounds().min.z < height_field_->ground())
     throw BadInput("--method exact-2.5d: a cell reaches below the lowest point of the scene, z = " +
                    std::to_string(height_field_->ground()));
-  exact_25d::Options options;
-  options.witnesses = arguments_.witnesses;
-  if (arguments_.arithmetic == "rational") return Exact25d<Rational>(options)(*height_field_, cell);
-  if (arguments_.arithmetic == "double") return Exact25d<Double>(options)(*height_field_, cell);
-  return Exact25d<Filtered>(options)(*height_field_, cell);
 }
 
 PotentiallyVisibleSet MethodRunner::strong_occlusion(ViewCell const& cell) const

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "visibility/evidence/ray_scene.hpp"
+#include "visibility/methods/exact_25d/explanation.hpp"
 #include "visibility/scene/height_field.hpp"
+#include "visibility/scene/occludees.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
@@ -12,6 +14,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -29,6 +32,8 @@ struct MethodArguments {
   std::string coarse_granularity = "part";
   bool no_inner_bodies = false;
   bool witnesses = false;
+  std::string occludees;             ///< scene that is looked for; empty: the scene itself
+  std::string explain;               ///< file for visible parts, funnels and shadow planes; empty: none
   std::vector<std::string> without;  ///< optimizations of strong occlusion that are switched off
   std::uint64_t rays = 1'000'000;
   double seconds = 0;
@@ -44,11 +49,13 @@ struct MethodArguments {
 /// The method of the command line, ready for any number of cells of one scene. May be called from several threads.
 class MethodRunner {
 public:
-  /// Requires: validated arguments; keeps a reference to the scene. Builds what the method shares between cells.
-  /// Throws BadInput if the method does not apply to the scene.
-  MethodRunner(MethodArguments arguments, Scene const& scene);
+  /// Requires: validated arguments; keeps references to the scenes. Builds what the method shares between cells.
+  /// `occludees`: given iff the arguments name them. Throws BadInput if the method does not apply to the scene.
+  MethodRunner(MethodArguments arguments, Scene const& scene, Scene const* occludees = nullptr);
   /// `progress` is told of steps done, `steps_per_cell` of them for each cell (fewer if a time limit ends the run).
   PotentiallyVisibleSet operator()(ViewCell const& cell, std::function<void(std::uint64_t)> const& progress) const;
+  /// The set, and what the arguments ask to be explained.
+  std::pair<PotentiallyVisibleSet, exact_25d::Explanation> explain(ViewCell const& cell) const;
   std::uint64_t steps_per_cell() const;
   /// The sets of the finest cells of a partition, each level starting from the one before. `progress` is told of
   /// finished cells of any level. Throws BadInput for a method that cannot refine.
@@ -56,12 +63,17 @@ public:
 
 private:
   MethodArguments arguments_;
+  template <Arithmetic A>
   PotentiallyVisibleSet exact_25d(ViewCell const& cell) const;
+  PotentiallyVisibleSet exact_25d(ViewCell const& cell) const;
+  void require_above_ground(ViewCell const& cell) const;
   PotentiallyVisibleSet strong_occlusion(ViewCell const& cell) const;
 
   std::optional<PreparedScene> scene_;
   std::optional<RayScene> rays_;
   std::optional<HeightField> height_field_;
+  std::optional<PreparedScene> targets_;
+  std::optional<Occludees> occludees_;
 };
 
 std::vector<std::string> method_names();

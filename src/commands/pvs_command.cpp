@@ -6,6 +6,7 @@
 #include "progress.hpp"
 #include "scene_argument.hpp"
 
+#include "visibility/methods/exact_25d/explanation_file.hpp"
 #include "visibility/scene/result_file.hpp"
 #include "visibility/scene/scene_builder.hpp"
 
@@ -18,7 +19,9 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <thread>
+#include <tuple>
 
 namespace visibility::commands {
 
@@ -41,10 +44,13 @@ double seconds_since(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Result make_result(Arguments const& a, Scene const& scene, ViewCell const& cell, PotentiallyVisibleSet const& set)
+/// `scene`: of the objects that were looked for.
+Result make_result(Arguments const& a, std::string const& source, Scene const& scene, ViewCell const& cell,
+                   PotentiallyVisibleSet const& set)
 {
   Result r;
-  r.source = scene.source;
+  r.source = source;
+  if (!a.method.occludees.empty()) r.occludees = scene.source;
   r.grounded = a.scene.grounded;
   r.objects = scene.objects.size();
   r.primitives = scene.primitive_count();
@@ -65,8 +71,9 @@ Result make_result(Arguments const& a, Scene const& scene, ViewCell const& cell,
 void print_summary(std::vector<Result> const& results, std::string const& file)
 {
   Result const& first = results.front();
-  std::cout << "scene   " << first.source << (first.grounded ? ", grounded: " : ": ") << first.objects << " objects, "
-            << first.primitives << " primitives\n"
+  std::cout << "scene   " << first.source << (first.grounded ? ", grounded" : "")
+            << (first.occludees.empty() ? "" : ", occludees " + first.occludees) << ": " << first.objects
+            << " objects, " << first.primitives << " primitives\n"
             << "method  " << first.method << ", " << first.arithmetic << " arithmetic: " << to_string(first.guarantee)
             << '\n';
   auto const percent_hidden = [&](double visible) {
@@ -100,16 +107,23 @@ void print_summary(std::vector<Result> const& results, std::string const& file)
 struct Answers {
   std::vector<ViewCell> cells;
   std::vector<CellSet> sets;
+  std::vector<exact_25d::Explanation> explanations{};  ///< if they were asked for
 };
 
-Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells)
+Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells, bool explain)
 {
   Answers out{std::move(cells), {}};
   out.sets.resize(out.cells.size());
+  if (explain) out.explanations.resize(out.cells.size());
   Progress progress(method.steps_per_cell() > 1 ? "rays" : "cells", out.cells.size() * method.steps_per_cell());
   oneapi::tbb::parallel_for(std::size_t{0}, out.cells.size(), [&](std::size_t i) {
     auto const start = std::chrono::steady_clock::now();
-    out.sets[i].set = method(out.cells[i], [&](std::uint64_t n) { progress.advance(n); });
+    if (explain) {
+      std::tie(out.sets[i].set, out.explanations[i]) = method.explain(out.cells[i]);
+      progress.advance(1);
+    } else {
+      out.sets[i].set = method(out.cells[i], [&](std::uint64_t n) { progress.advance(n); });
+    }
     out.sets[i].seconds = seconds_since(start);
   });
   return out;
@@ -139,21 +153,26 @@ void run(Arguments const& a)
   auto cells = partition ? std::vector<ViewCell>{} : a.cells.load();
   auto start = std::chrono::steady_clock::now();
   Scene const scene = a.scene.load();
+  std::optional<Scene> occludees;
+  if (!a.method.occludees.empty()) occludees = a.scene.load_another(a.method.occludees);
+  Scene const& looked_for = occludees ? *occludees : scene;
   double const read = seconds_since(start);
   start = std::chrono::steady_clock::now();
-  MethodRunner const method(a.method, scene);
+  MethodRunner const method(a.method, scene, occludees ? &*occludees : nullptr);
   double const build = seconds_since(start);
 
   unsigned const threads = a.threads != 0 ? a.threads : std::max(1U, std::thread::hardware_concurrency());
   oneapi::tbb::global_control const limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
-  auto const answers = partition && partition->levels() > 1
-                         ? coarse_to_fine(method, *partition)
-                         : one_by_one(method, partition ? finest_cells(*partition) : std::move(cells));
+  auto const answers =
+    partition && partition->levels() > 1
+      ? coarse_to_fine(method, *partition)
+      : one_by_one(method, partition ? finest_cells(*partition) : std::move(cells), !a.method.explain.empty());
   std::vector<Result> results;
   for (std::size_t i = 0; i < answers.cells.size(); ++i) {
-    results.push_back(make_result(a, scene, answers.cells[i], answers.sets[i].set));
+    results.push_back(make_result(a, scene.source, looked_for, answers.cells[i], answers.sets[i].set));
     results.back().seconds = {read, build, answers.sets[i].seconds};
   }
+  if (!a.method.explain.empty()) write_output(a.method.explain, to_json(scene, answers.cells, answers.explanations));
   if (a.output.empty()) {
     std::cout << to_json(results);
     return;
@@ -161,7 +180,8 @@ void run(Arguments const& a)
   write_output(a.output, to_json(results));
   if (a.map)
     for (std::size_t i = 0; i < answers.cells.size(); ++i)
-      std::cout << plan_map(scene, answers.cells[i], answers.sets[i].set) << "# visible  . hidden  C view cell\n\n";
+      std::cout << plan_map(looked_for, answers.cells[i], answers.sets[i].set)
+                << "# visible  . hidden  C view cell\n\n";
   print_summary(results, a.output);
 }
 

@@ -30,11 +30,17 @@ void SceneArgument::add_to(CLI::App& command)
 
 Scene SceneArgument::load() const
 {
-  constexpr std::string_view prefix = "gen:";
-  Scene loaded =
-    scene.starts_with(prefix) ? generate(std::string_view(scene).substr(prefix.size())) : read_scene(scene, options);
-  if (scene.starts_with(prefix)) loaded.source = scene;
+  Scene loaded = load_another(scene);
   return grounded ? visibility::grounded(loaded) : loaded;
+}
+
+Scene SceneArgument::load_another(std::string const& name) const
+{
+  constexpr std::string_view prefix = "gen:";
+  if (!name.starts_with(prefix)) return read_scene(name, options);
+  Scene loaded = generate(std::string_view(name).substr(prefix.size()));
+  loaded.source = name;
+  return loaded;
 }
 
 }  // namespace visibility::commands

@@ -18,7 +18,8 @@ struct SceneArgument {
   bool grounded = false;
 
   void add_to(CLI::App& command);
-  Scene load() const;  ///< throws BadInput
+  Scene load() const;                                 ///< throws BadInput
+  Scene load_another(std::string const& name) const;  ///< another scene, read the same way, not grounded
 };
 
 }  // namespace visibility::commands

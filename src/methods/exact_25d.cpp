@@ -4,6 +4,7 @@
 #include "visibility/methods/exact_25d/sight_line.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace visibility {
 
@@ -72,6 +73,25 @@ std::vector<LineSpaceCell> line_space_cells(Search<A> const& search)
   return out;
 }
 
+/// Lines that fall over an occluder start at the near side of a flat cell, lines that rise at the far one.
+std::vector<Shadow> shadows(CellOutline const& outline, std::vector<LineSpaceCell> const& cells)
+{
+  std::vector<Shadow> out;
+  for (auto const& c : cells)
+    for (auto const& o : c.occluders) {
+      if (!outline.flat || std::min(o.left.z, o.right.z) < outline.top) out.push_back({c.exit, o});
+      if (!outline.flat || std::max(o.left.z, o.right.z) >= outline.top) out.push_back({c.entry, o});
+    }
+  auto const key = [](Shadow const& s) {
+    auto const point = [](Point3d const& p) { return std::tie(p.x, p.y, p.z); };
+    return std::tuple(point(s.source.left), point(s.source.right), point(s.occluder.left), point(s.occluder.right));
+  };
+  std::ranges::sort(out, [&](auto const& a, auto const& b) { return key(a) < key(b); });
+  auto const twice = std::ranges::unique(out, [&](auto const& a, auto const& b) { return key(a) == key(b); });
+  out.erase(twice.begin(), twice.end());
+  return out;
+}
+
 }  // namespace
 
 template <Arithmetic A>
@@ -97,7 +117,8 @@ std::pair<PotentiallyVisibleSet, Explanation> Exact25d<A>::explain(HeightField c
   Search<A> search(field, cell, options_);
   search.keep_dominated();
   search.run();
-  Explanation explanation{search.visible_edges(), line_space_cells(search)};
+  Explanation explanation{search.visible_edges(), line_space_cells(search), {}};
+  explanation.shadows = shadows(search.cell(), explanation.cells);
   return {answer(search, field, options_, false), std::move(explanation)};
 }
 

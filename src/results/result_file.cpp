@@ -54,6 +54,7 @@ Json result_json(Result const& r)
            {"statistics", statistics},
            {"seconds", {{"read", r.seconds.read}, {"build", r.seconds.build}, {"query", r.seconds.query}}}};
   if (r.grounded) out["scene"]["grounded"] = true;
+  if (!r.occludees.empty()) out["scene"]["occludees"] = r.occludees;
   if (r.witnesses.empty()) return out;
   Json witnesses = Json::array();
   for (auto const& w : r.witnesses)
@@ -117,6 +118,7 @@ Result result_from_json(Json const& value, std::string const& where)
     Json const& scene = value["scene"];
     r.source = text_or(scene, "source", "");
     r.grounded = scene.contains("grounded") && scene["grounded"] == true;
+    r.occludees = text_or(scene, "occludees", "");
     r.objects = count_or_zero(scene, "objects");
     r.primitives = count_or_zero(scene, "primitives");
   }

@@ -35,10 +35,17 @@ struct LineSpaceCell {
   std::vector<PortalSequence::Edge> occluders;
 };
 
+/// What bounds the penumbra of an occluder: four planes, two through its edge and an end of the source, two through the
+/// source and an end of the edge [Bittner05, §5.3].
+struct Shadow {
+  PortalSequence::Edge source, occluder;
+};
+
 /// What a query found on its way, for pictures and for other programs [Bittner05, figures 7 to 9].
 struct Explanation {
   std::vector<VisibleEdge> edges;
   std::vector<LineSpaceCell> cells;
+  std::vector<Shadow> shadows;  ///< of all occluders of the cells, each pair once
 };
 
 }  // namespace visibility::exact_25d
