@@ -119,6 +119,16 @@ TEST_CASE("occludees: a vertical polygon that sticks out above a wall", "[height
   CHECK(seen(wall, {screen(4.5, 2, 3.25), screen(4.5, 2, 3.5), screen(4.25, 0, 3.125)}) == "hvh");
 }
 
+TEST_CASE("occludees: under the cell the tip of a vertical polygon sticks out of a roof", "[height_field]")
+{
+  Cell const high{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 3, 4};
+  std::vector<Column> const roof{box(0, -9, -9, 9, 9, 1)};
+  auto const tip = [](double x, double z) { return Polygon{{x, 1, 0}, {x, 0, z}, {x, 0, -1}}; };
+  double const hair = 0x1p-20;
+  CHECK(seen(roof, {tip(0.5, 1), tip(0.5, 1 + hair), tip(1, 1), tip(1, 1 + hair)}, high) == "hvhv");
+  CHECK(seen({box(0, -9, -9, 1, 9, 1)}, {tip(1, 1 + hair)}, high) == "v");
+}
+
 TEST_CASE("occludees: through the slit between two towers", "[height_field]")
 {
   Column const left = box(0, 4, -50, 5, 0.5, 10);
