@@ -135,7 +135,10 @@ TEST_CASE("occludees: through the slit between two towers", "[height_field]")
   CHECK(seen({left, box(1, 4, above(0.5), 5, 50, 10)}, {screen(8, 0, 2), floor(6, 7, 0)}) == "vv");
   CHECK(seen({left, box(1, 4, 0.5, 5, 50, 10)}, {screen(8, 0, 2), floor(6, 7, 0)}) == "hh");
   CHECK(seen({left, box(1, above(5.0), 0.5, 6, 50, 10)}, {upright({8, -30}, {8, 30}, 0, 2)}) == "v");
-  // What lies in the slit: edge on, and askew.
+  // And over a wall before it: from (0, 1) over (2, 1.5), height 6 at x = 20.
+  std::vector<Column> const both{left, box(1, 4, above(0.5), 5, 50, 10), box(2, 2, -50, 3, 50, 1.5)};
+  CHECK(seen(both, {ramp(8, 20, 0, 1, 0, 6), ramp(8, 20, 0, 1, 0, 6.0625), ramp(8, 20, 0, 1, 6, 0)}) == "hvv");
+  // What lies in the slit: edge on.
   CHECK(seen({left, box(1, 4, above(0.5), 5, 50, 10)}, {upright({4, 0.5}, {5, 0.5}, 0, 2)}) == "v");
   CHECK(seen({left, box(1, 4, 0.5, 5, 50, 10)}, {upright({4, 0.5}, {5, 0.5}, 0, 2)}) == "h");
 }
@@ -157,7 +160,9 @@ TEST_CASE("occludees: seen between a shadow and the roof that they run into", "[
   // The shadow of the wall is 5 + (x - 8) / 2; the polygon 4.875 + 3 (x - 8) / 4 rises out of it at x = 8.5 and goes
   // under the roof, of slope 1. Neither its ends nor any edge of the roof tells.
   auto const roof = [](double z) { return triangle(1, {8, -90, z}, {20, 0, z + 12}, {8, 90, z}); };
-  auto const shown = [&](double z) { return seen({wide_wall(4, 5, 3), roof(z)}, {ramp(8, 10, 0, 1, 4.875, 6.375)}); };
+  // It widens so much that no sight line leaves it by a side between.
+  Polygon const fan{{8, 0, 4.875}, {10, -50, 6.375}, {10, 51, 6.375}, {8, 1, 4.875}};
+  auto const shown = [&](double z) { return seen({wide_wall(4, 5, 3), roof(z)}, {fan}); };
   CHECK(shown(4.5) == "v");
   CHECK(shown(4.7499) == "v");
   CHECK(shown(4.75) == "h");  // at x = 8.5 too
