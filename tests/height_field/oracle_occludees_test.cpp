@@ -160,9 +160,11 @@ TEST_CASE("occludees: seen between a shadow and the roof that they run into", "[
   // The shadow of the wall is 5 + (x - 8) / 2; the polygon 4.875 + 3 (x - 8) / 4 rises out of it at x = 8.5 and goes
   // under the roof, of slope 1. Neither its ends nor any edge of the roof tells.
   auto const roof = [](double z) { return triangle(1, {8, -90, z}, {20, 0, z + 12}, {8, 90, z}); };
-  // It widens so much that no sight line leaves it by a side between.
-  Polygon const fan{{8, 0, 4.875}, {10, -50, 6.375}, {10, 51, 6.375}, {8, 1, 4.875}};
-  auto const shown = [&](double z) { return seen({wide_wall(4, 5, 3), roof(z)}, {fan}); };
+  // Two towers let no line through that meets it between its sides.
+  Column const left = box(2, 2, -50, 3, 0.25, 50), right = box(3, 2, 0.75, 3, 50, 50);
+  auto const shown = [&](double z) {
+    return seen({wide_wall(4, 5, 3), roof(z), left, right}, {ramp(8, 10, -40, 40, 4.875, 6.375)});
+  };
   CHECK(shown(4.5) == "v");
   CHECK(shown(4.7499) == "v");
   CHECK(shown(4.75) == "h");  // at x = 8.5 too
