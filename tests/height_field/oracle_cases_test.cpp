@@ -112,6 +112,18 @@ TEST_CASE("height field oracle: what meets the closed cell is visible without a 
   CHECK(seen({box(0, 1, -50, 2, 50, below(1.0)), house(1, 2, 1)}) == "vv");
 }
 
+TEST_CASE("height field oracle: a wall under the cell's side, seen by its tip over what abuts", "[height_field]")
+{
+  Cell const high{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 3, 4};
+  // The wall on x = 1 rises from height 0 to its tip at y = 0; the top behind it is covered.
+  auto const scene = [](double tip) {
+    return std::vector{triangle(0, {1, 1, 0}, {1, 0, tip}, {1.5, 0.5, 0}), box(1, -9, -9, 1, 9, 1),
+                       box(2, 1, -1, 2, 2, 2)};
+  };
+  CHECK(seen(scene(1), high) == "hvv");
+  CHECK(seen(scene(1 + 0x1p-20), high) == "vvv");
+}
+
 TEST_CASE("height field oracle: columns in the cell hide like others", "[height_field]")
 {
   Column const inside = box(0, 0.25, 0.25, 0.75, 0.75, 0.75);

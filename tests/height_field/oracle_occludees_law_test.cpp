@@ -99,7 +99,7 @@ std::vector<Occludee> surfaces(Case const& c)
 
 TEST_CASE("occludees: the surface of a column is visible iff the column is", "[height_field][law][oracle]")
 {
-  for_each_case(20, [](Case const& c, Verdicts const&, Random&) {
+  for_each_case(14, [](Case const& c, Verdicts const&, Random&) {
     Case on = c;
     on.occludees = surfaces(c);
     REQUIRE(agree(oracle::visible_objects(c.columns, c.objects, c.cell).verdict, decide(on)));
@@ -108,7 +108,7 @@ TEST_CASE("occludees: the surface of a column is visible iff the column is", "[h
 
 TEST_CASE("occludees: a box around a visible column is visible", "[height_field][law]")
 {
-  for_each_case(12, [](Case const& c, Verdicts const&, Random&) {
+  for_each_case(8, [](Case const& c, Verdicts const&, Random&) {
     double const margin = c.cell.top > 0.1 ? 0.125 : 0.000125;  // millimetres or not
     auto const of_columns = oracle::visible_objects(c.columns, c.objects, c.cell).verdict;
     for (auto const& column : c.columns) {
@@ -128,7 +128,7 @@ TEST_CASE("occludees: a box around a visible column is visible", "[height_field]
 
 TEST_CASE("occludees: order, first corners and orientation do not matter", "[height_field][law]")
 {
-  for_each_case(15, [](Case const& c, Verdicts const& verdicts, Random& random) {
+  for_each_case(10, [](Case const& c, Verdicts const& verdicts, Random& random) {
     Case g = c;
     for (auto& o : g.occludees)
       for (auto& p : o.polygons) {
@@ -158,7 +158,7 @@ TEST_CASE("occludees: mirrored and turned scenes", "[height_field][law]")
     std::ranges::reverse(c.cell.footprint);
     return c;
   };
-  for_each_case(15, [&](Case const& c, Verdicts const& verdicts, Random&) {
+  for_each_case(8, [&](Case const& c, Verdicts const& verdicts, Random&) {
     REQUIRE(agree(verdicts, decide(mapped(c, [](double& x, double&) { x = -x; }))));
     REQUIRE(agree(verdicts, decide(mapped(c, [](double& x, double& y) { std::swap(x, y); }))));
   });
@@ -166,7 +166,7 @@ TEST_CASE("occludees: mirrored and turned scenes", "[height_field][law]")
 
 TEST_CASE("occludees: a polygon may be cut in two", "[height_field][law]")
 {
-  for_each_case(20, [](Case const& c, Verdicts const& verdicts, Random& random) {
+  for_each_case(12, [](Case const& c, Verdicts const& verdicts, Random& random) {
     Case g = c;
     for (auto& o : g.occludees) {
       std::vector<Polygon> parts;
@@ -188,7 +188,7 @@ TEST_CASE("occludees: a polygon may be cut in two", "[height_field][law]")
 
 TEST_CASE("occludees: more columns never show more", "[height_field][law]")
 {
-  for_each_case(15, [](Case const& c, Verdicts const& verdicts, Random& random) {
+  for_each_case(10, [](Case const& c, Verdicts const& verdicts, Random& random) {
     Case g = c;
     g.columns.erase(g.columns.begin() + random.below(int(g.columns.size())));
     REQUIRE(keeps(verdicts, decide(g)));
@@ -201,7 +201,7 @@ TEST_CASE("occludees: more columns never show more", "[height_field][law]")
 TEST_CASE("occludees: a larger cell never shows less", "[height_field][law]")
 {
   int compared = 0;
-  for_each_case(15, [&](Case const& c, Verdicts const& verdicts, Random& random) {
+  for_each_case(10, [&](Case const& c, Verdicts const& verdicts, Random& random) {
     Case g = c;
     g.cell.top += random.uniform(0, c.cell.top);
     g.cell.bottom -= random.uniform(0, 1);
@@ -220,12 +220,12 @@ TEST_CASE("occludees: a larger cell never shows less", "[height_field][law]")
     REQUIRE(keeps(verdicts, wider));
     ++compared;
   });
-  CHECK(compared > trials(30));
+  CHECK(compared > trials(20));
 }
 
 TEST_CASE("occludees: several polygons together are visible iff one is alone", "[height_field][law]")
 {
-  for_each_case(15, [](Case const& c, Verdicts const& verdicts, Random&) {
+  for_each_case(10, [](Case const& c, Verdicts const& verdicts, Random&) {
     Case g = c;
     for (auto const& o : c.occludees)
       for (auto const& p : o.polygons) g.occludees[0].polygons.push_back(p);

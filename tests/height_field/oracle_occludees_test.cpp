@@ -119,13 +119,26 @@ TEST_CASE("occludees: a vertical polygon that sticks out above a wall", "[height
   CHECK(seen(wall, {screen(4.5, 2, 3.25), screen(4.5, 2, 3.5), screen(4.25, 0, 3.125)}) == "hvh");
 }
 
+TEST_CASE("occludees: under the cell the tip of a vertical polygon sticks out of a roof", "[height_field]")
+{
+  Cell const high{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 3, 4};
+  std::vector<Column> const roof{box(0, -9, -9, 9, 9, 1)};
+  auto const tip = [](double x, double z) { return Polygon{{x, 1, 0}, {x, 0, z}, {x, 0, -1}}; };
+  double const hair = 0x1p-20;
+  CHECK(seen(roof, {tip(0.5, 1), tip(0.5, 1 + hair), tip(1, 1), tip(1, 1 + hair)}, high) == "hvhv");
+  CHECK(seen({box(0, -9, -9, 1, 9, 1)}, {tip(1, 1 + hair)}, high) == "v");
+}
+
 TEST_CASE("occludees: through the slit between two towers", "[height_field]")
 {
   Column const left = box(0, 4, -50, 5, 0.5, 10);
   CHECK(seen({left, box(1, 4, above(0.5), 5, 50, 10)}, {screen(8, 0, 2), floor(6, 7, 0)}) == "vv");
   CHECK(seen({left, box(1, 4, 0.5, 5, 50, 10)}, {screen(8, 0, 2), floor(6, 7, 0)}) == "hh");
   CHECK(seen({left, box(1, above(5.0), 0.5, 6, 50, 10)}, {upright({8, -30}, {8, 30}, 0, 2)}) == "v");
-  // What lies in the slit: edge on, and askew.
+  // And over a wall before it: from (0, 1) over (2, 1.5), height 6 at x = 20.
+  std::vector<Column> const both{left, box(1, 4, above(0.5), 5, 50, 10), box(2, 2, -50, 3, 50, 1.5)};
+  CHECK(seen(both, {ramp(8, 20, 0, 1, 0, 6), ramp(8, 20, 0, 1, 0, 6.0625), ramp(8, 20, 0, 1, 6, 0)}) == "hvv");
+  // What lies in the slit: edge on.
   CHECK(seen({left, box(1, 4, above(0.5), 5, 50, 10)}, {upright({4, 0.5}, {5, 0.5}, 0, 2)}) == "v");
   CHECK(seen({left, box(1, 4, 0.5, 5, 50, 10)}, {upright({4, 0.5}, {5, 0.5}, 0, 2)}) == "h");
 }
@@ -147,7 +160,11 @@ TEST_CASE("occludees: seen between a shadow and the roof that they run into", "[
   // The shadow of the wall is 5 + (x - 8) / 2; the polygon 4.875 + 3 (x - 8) / 4 rises out of it at x = 8.5 and goes
   // under the roof, of slope 1. Neither its ends nor any edge of the roof tells.
   auto const roof = [](double z) { return triangle(1, {8, -90, z}, {20, 0, z + 12}, {8, 90, z}); };
-  auto const shown = [&](double z) { return seen({wide_wall(4, 5, 3), roof(z)}, {ramp(8, 10, 0, 1, 4.875, 6.375)}); };
+  // Two towers let no line through that meets it between its sides.
+  Column const left = box(2, 2, -50, 3, 0.25, 50), right = box(3, 2, 0.75, 3, 50, 50);
+  auto const shown = [&](double z) {
+    return seen({wide_wall(4, 5, 3), roof(z), left, right}, {ramp(8, 10, -40, 40, 4.875, 6.375)});
+  };
   CHECK(shown(4.5) == "v");
   CHECK(shown(4.7499) == "v");
   CHECK(shown(4.75) == "h");  // at x = 8.5 too

@@ -57,6 +57,12 @@ TEST_CASE("edges: left over a top that is seen", "[height_field][parts]")
   CHECK(quarters({wide_wall(0, 2, 3, -1), house(1, 7, -6)}, 1, far_x, leaving) == "hhh");
   CHECK(quarters({wide_wall(0, 2, 3, -1), house(1, 7, above(-6.0))}, 1, far_x, leaving) == "vvv");
   CHECK(quarters({wide_wall(0, 2, 3, -1), house(1, 7, above(-6.0))}, 1, near_x, entering) == "hhh");
+  // The same through a slit that shows no corner of the cell: its near side is looked from, in the middle.
+  auto const slit = [](double top) {
+    return std::vector{wide_wall(0, 2, 3, -1), house(1, 7, top), box(2, 4, -50, 5, 0.49, 9), box(3, 4, 0.51, 5, 50, 9)};
+  };
+  CHECK(quarters(slit(-6), 1, far_x, leaving) == "hhh");
+  CHECK(quarters(slit(above(-6.0)), 1, far_x, leaving) == "hvh");
   // Under the cell, from right above, all around.
   for (std::size_t side = 0; side < 4; ++side) {
     CHECK(quarters({box(0, 0.25, 0.25, 0.75, 0.75, -2)}, 0, side, leaving) == "vvv");
@@ -98,6 +104,7 @@ TEST_CASE("edges: covered by a neighbour", "[height_field][parts]")
     return std::vector{house(0, 4, 0.5), triangle(1, {5, -9, 0.5}, {5, 9, 0.5}, {4, 0, z})};
   };
   CHECK(quarters(roof(0.625), 0, far_x, leaving) == "hhh");
+  CHECK(quarters(roof(0.5625), 0, far_x, leaving) == "hhh");  // less steep than the sight line
   CHECK(quarters(roof(0.375), 0, far_x, leaving) == "vvv");
 }
 
