@@ -64,12 +64,13 @@ public:
     };
     auto const [u0, u1] = std::minmax(p.u, q.u);
     auto const [v0, v1] = std::minmax(p.v, q.v);
-    PixelRectangle const rows{0, first(v0, fixed_.error_v, grid_.height()), width,
-                              end(v1, fixed_.error_v, grid_.height())};
+    auto const error_u = fixed_.error_u + std::max(p.off_u, q.off_u),
+               error_v = fixed_.error_v + std::max(p.off_v, q.off_v);
+    PixelRectangle const rows{0, first(v0, error_v, grid_.height()), width, end(v1, error_v, grid_.height())};
     if (rows.y0 >= rows.y1) return;
     auto const count = static_cast<std::size_t>(rows.y1 - rows.y0);
-    left_.assign(count, first(u0, fixed_.error_u, width));
-    right_.assign(count, end(u1, fixed_.error_u, width));
+    left_.assign(count, first(u0, error_u, width));
+    right_.assign(count, end(u1, error_u, width));
     if (p.u != q.u && p.v != q.v) {  // else the bounds decide
       detail::clip_rows(left_of(p, q, fixed_, detail::EdgeCover::interior_touching), rows, left_.data(), right_.data());
       detail::clip_rows(left_of(q, p, fixed_, detail::EdgeCover::interior_touching), rows, left_.data(), right_.data());
@@ -115,7 +116,7 @@ void add_row(int row, std::span<Contact const> contacts, std::vector<int>& touch
 
 }  // namespace
 
-Spans inner(Grid const& grid, Contours const& contours, Point2d const& error)
+Spans inner_even_odd(Grid const& grid, Contours const& contours, Point2d const& error)
 {
   std::vector<Point2d> points;
   // Only edges that are the same for certain cancel: what is meant by rounded ones may differ.

@@ -150,12 +150,12 @@ PixelKernel PixelKernel::polygon(Outline const& outline)
   if (!fixed.assign(outline.points, {0, 0}, {1, 1}, outline.error))
     throw std::invalid_argument("PixelKernel: reaches too far");
   fixed.reduce_to_hull();
-  auto const low = fixed.low(), high = fixed.high();
+  auto const box = fixed.outer_bounds();
   int const f = fixed.fraction;
-  PixelRectangle const bounds{checked(static_cast<double>(detail::floor_units(low.u, f))),
-                              checked(static_cast<double>(detail::floor_units(low.v, f))),
-                              checked(static_cast<double>(detail::ceil_units(high.u, f))) + 1,
-                              checked(static_cast<double>(detail::ceil_units(high.v, f))) + 1};
+  PixelRectangle const bounds{checked(static_cast<double>(detail::floor_units(box.u0, f))),
+                              checked(static_cast<double>(detail::floor_units(box.v0, f))),
+                              checked(static_cast<double>(detail::ceil_units(box.u1, f))) + 1,
+                              checked(static_cast<double>(detail::ceil_units(box.v1, f))) + 1};
   auto const count = static_cast<std::size_t>(bounds.y1 - bounds.y0);
   std::vector<int> left(count, bounds.x0), right(count, bounds.x1);
   auto const& hull = fixed.points;

@@ -56,6 +56,7 @@ bool FixedPoints::assign(std::span<Point2d const> input, Point2d const& origin, 
                          Point2d const& error)
 {
   points.clear();
+  all.clear();
   double reach = std::max(error.x / step.x, error.y / step.y);
   if (!(reach < 0x1p46)) return false;
   for (auto const& p : input) {
@@ -68,23 +69,27 @@ bool FixedPoints::assign(std::span<Point2d const> input, Point2d const& origin, 
   std::frexp(reach, &exponent);
   fraction = std::min(max_fraction, coordinate_bits - exponent);
   double const scale = std::ldexp(1.0, fraction);
-  bool exact_u = true, exact_v = true;
   for (auto const& p : input) {
     auto const u = in_pixels(p.x, origin.x, step.x), v = in_pixels(p.y, origin.y, step.y);
     double const fixed_u = nearest_integer(u.value * scale), fixed_v = nearest_integer(v.value * scale);
-    exact_u &= u.is_exact && fixed_u == u.value * scale;
-    exact_v &= v.is_exact && fixed_v == v.value * scale;
-    points.push_back({static_cast<std::int64_t>(fixed_u), static_cast<std::int64_t>(fixed_v)});
+    points.push_back({static_cast<std::int64_t>(fixed_u), static_cast<std::int64_t>(fixed_v),
+                      static_cast<std::int8_t>(!u.is_exact || fixed_u != u.value * scale),
+                      static_cast<std::int8_t>(!v.is_exact || fixed_v != v.value * scale)});
   }
-  error_u = error_units(error.x, step.x, scale) + (exact_u ? 0 : 1);
-  error_v = error_units(error.y, step.y, scale) + (exact_v ? 0 : 1);
+  error_u = error_units(error.x, step.x, scale);
+  error_v = error_units(error.y, step.y, scale);
   return true;
 }
 
 void FixedPoints::reduce_to_hull()
 {
+  auto const same_errors = [&](FixedPoint const& p) {
+    return p.off_u == points.front().off_u && p.off_v == points.front().off_v;
+  };
+  if (!std::all_of(points.begin(), points.end(), same_errors)) all = points;
   std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
+  auto const same_place = [](FixedPoint const& p, FixedPoint const& q) { return p.u == q.u && p.v == q.v; };
+  points.erase(std::unique(points.begin(), points.end(), same_place), points.end());
   std::size_t const n = points.size();
   if (n < 2) return;
   // Andrew's monotone chains, built behind the sorted points and moved to the front.
@@ -96,18 +101,30 @@ void FixedPoints::reduce_to_hull()
   points.erase(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n));
 }
 
-FixedPoint FixedPoints::low() const
+PixelBox FixedPoints::outer_bounds() const
 {
-  FixedPoint m = points.front();
-  for (auto const& p : points) m = {std::min(m.u, p.u), std::min(m.v, p.v)};
-  return {m.u - error_u, m.v - error_v};
+  constexpr std::int64_t far = std::int64_t{1} << 62;
+  PixelBox box{far, far, -far, -far};
+  for (auto const& p : all.empty() ? points : all)
+    box = {std::min(box.u0, p.u - p.off_u), std::min(box.v0, p.v - p.off_v), std::max(box.u1, p.u + p.off_u),
+           std::max(box.v1, p.v + p.off_v)};
+  return {box.u0 - error_u, box.v0 - error_v, box.u1 + error_u, box.v1 + error_v};
 }
 
-FixedPoint FixedPoints::high() const
+PixelBox FixedPoints::inner_bounds() const
 {
-  FixedPoint m = points.front();
-  for (auto const& p : points) m = {std::max(m.u, p.u), std::max(m.v, p.v)};
-  return {m.u + error_u, m.v + error_v};
+  PixelBox box{points[0].u, points[0].v, points[0].u, points[0].v};
+  for (auto const& p : points)
+    box = {std::min(box.u0, p.u), std::min(box.v0, p.v), std::max(box.u1, p.u), std::max(box.v1, p.v)};
+  // Of the points on a bound, the one that may be farthest from it counts.
+  PixelBox off{0, 0, 0, 0};
+  for (auto const& p : points) {
+    if (p.u == box.u0) off.u0 = std::max<std::int64_t>(off.u0, p.off_u);
+    if (p.v == box.v0) off.v0 = std::max<std::int64_t>(off.v0, p.off_v);
+    if (p.u == box.u1) off.u1 = std::max<std::int64_t>(off.u1, p.off_u);
+    if (p.v == box.v1) off.v1 = std::max<std::int64_t>(off.v1, p.off_v);
+  }
+  return {box.u0 + error_u + off.u0, box.v0 + error_v + off.v0, box.u1 - error_u - off.u1, box.v1 - error_v - off.v1};
 }
 
 PixelHalfPlane left_of(FixedPoint const& p, FixedPoint const& q, FixedPoints const& fixed, EdgeCover cover)
@@ -116,7 +133,12 @@ PixelHalfPlane left_of(FixedPoint const& p, FixedPoint const& q, FixedPoints con
   // Left of the line: a u + b v + c >= 0. In pixels, i = u / 2^fraction: a i + b j + c / 2^fraction >= 0, where only
   // the constant is not an integer, so that rounding it down (strictly: up, less one) changes nothing.
   Int128 const c = -(product(a, p.u) + product(b, p.v));
-  Int128 const margin = product(size_a, fixed.error_u) + product(size_b, fixed.error_v);
+  Int128 margin = product(size_a, fixed.error_u + std::max(p.off_u, q.off_u)) +
+                  product(size_b, fixed.error_v + std::max(p.off_v, q.off_v));
+  if (cover == EdgeCover::touching || cover == EdgeCover::pair_interior_touching)
+    for (auto const& r : fixed.all)  // a point near the edge may be less exact than its ends
+      margin = std::max(margin, product(size_a, fixed.error_u + r.off_u) + product(size_b, fixed.error_v + r.off_v) -
+                                  (product(a, r.u) + product(b, r.v) + c));
   Int128 k = 0;
   switch (cover) {
   case EdgeCover::inside:

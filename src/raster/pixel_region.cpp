@@ -101,20 +101,17 @@ void PixelRegion::keep(Outline const& outline, Cover cover)
 
 PixelRectangle PixelRegion::pixel_bounds(Cover cover) const
 {
-  auto const low = fixed_.low(), high = fixed_.high();
   int const f = fixed_.fraction;
-  auto const lower = [&](std::int64_t t, std::int64_t error, int size) {
-    std::int64_t const first =
-      cover == Cover::inside ? detail::ceil_units(t + 2 * error, f) : detail::ceil_units(t, f) - 1;
-    return static_cast<int>(std::clamp<std::int64_t>(first, 0, size));
-  };
-  auto const upper = [&](std::int64_t t, std::int64_t error, int size) {
-    std::int64_t const end =
-      cover == Cover::inside ? detail::floor_units(t - 2 * error, f) : detail::floor_units(t, f) + 1;
-    return static_cast<int>(std::clamp<std::int64_t>(end, 0, size));
-  };
-  return {lower(low.u, fixed_.error_u, grid_.width()), lower(low.v, fixed_.error_v, grid_.height()),
-          upper(high.u, fixed_.error_u, grid_.width()), upper(high.v, fixed_.error_v, grid_.height())};
+  auto const clip = [](std::int64_t t, int size) { return static_cast<int>(std::clamp<std::int64_t>(t, 0, size)); };
+  if (cover == Cover::inside) {
+    auto const box = fixed_.inner_bounds();
+    return {clip(detail::ceil_units(box.u0, f), grid_.width()), clip(detail::ceil_units(box.v0, f), grid_.height()),
+            clip(detail::floor_units(box.u1, f), grid_.width()), clip(detail::floor_units(box.v1, f), grid_.height())};
+  }
+  auto const box = fixed_.outer_bounds();
+  return {
+    clip(detail::ceil_units(box.u0, f) - 1, grid_.width()), clip(detail::ceil_units(box.v0, f) - 1, grid_.height()),
+    clip(detail::floor_units(box.u1, f) + 1, grid_.width()), clip(detail::floor_units(box.v1, f) + 1, grid_.height())};
 }
 
 void PixelRegion::spans(Spans& spans)

@@ -17,6 +17,6 @@ using Contours = std::vector<std::vector<Point2d>>;
 /// points are inside. Edges that occur twice, in either direction, do not count, so regions that share an edge are one
 /// region. `error` as in Outline; the region meant is that of the contours meant. The conservative scan conversion of a
 /// slice of a concave occluder [Durand00, section 3.3]. Points out of the domain of PixelRegion: no pixel.
-Spans inner(Grid const&, Contours const&, Point2d const& error = {0, 0});
+Spans inner_even_odd(Grid const&, Contours const&, Point2d const& error = {0, 0});
 
 }  // namespace visibility

@@ -10,7 +10,7 @@ namespace visibility {
 
 /// A depth map and its pyramid: level k halves level k - 1, rounding sizes up, and stores the farthest of the (up to)
 /// four depths below [Greene, Kass, Miller 1993; Durand00, section 2.4]. Writing brings depths nearer and leaves the
-/// pyramid as it was, so a query before refresh() is safe too: it hides less.
+/// pyramid as it was; queries are exact at any time, and fast after refresh().
 template <class T>
 class HierarchicalDepthMap {
 public:
@@ -29,7 +29,7 @@ public:
   void refresh();
 
   /// Whether every pixel of the set stores a depth less than `nearest`: what lies there at that depth or farther is
-  /// hidden. Pixels out of the map are never hidden, an empty set always is. Exact after refresh(), safe at any time.
+  /// hidden. Pixels out of the map are never hidden, an empty set always is.
   bool hidden(PixelRectangle const&, T nearest) const;
   bool hidden(Spans const&, T nearest) const;
 
