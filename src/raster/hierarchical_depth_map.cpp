@@ -156,6 +156,22 @@ bool HierarchicalDepthMap<T>::hidden(Spans const& spans, T nearest) const
   });
 }
 
+template <class T>
+bool HierarchicalDepthMap<T>::hidden(Spans const& spans, PixelDepth const& below) const
+{
+  if (spans.empty()) return true;
+  // Rounded down to T: minus rounding minus it up.
+  if (hidden(spans, -round_up<T>(-nearest(below, spans)))) return true;
+  if (below.is_constant()) return false;
+  for (auto const& s : spans) {
+    if (s.row < 0 || s.row >= map().height() || s.begin < 0 || s.end > map().width()) return false;
+    T const* const depths = map().row(s.row);
+    for (int x = s.begin; x < s.end; ++x)
+      if (!(depths[x] < below(x, s.row))) return false;
+  }
+  return true;
+}
+
 template class HierarchicalDepthMap<float>;
 template class HierarchicalDepthMap<double>;
 

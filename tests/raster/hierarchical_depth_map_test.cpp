@@ -92,6 +92,12 @@ TEST_CASE("hierarchical depth map: queries are those of all pixels, before and a
       bool const expected = truly_hidden(m.map.map(), spans, d), expected_r = truly_hidden(m.map.map(), rows, d);
       RC_ASSERT(m.map.hidden(spans, d) == expected);
       RC_ASSERT(m.map.hidden(r, d) == expected_r);
+      auto const slanted =
+        PixelDepth::below(m.grid, {{0, 0}, double(d), {0.1 * random.between(-2, 2), 0.1 * random.between(-2, 2)}});
+      bool all = true;
+      for (auto const& s : spans)
+        for (int x = s.begin; x < s.end; ++x) all &= m.map.map().at(x, s.row) < slanted(x, s.row);
+      RC_ASSERT(m.map.hidden(spans, slanted) == all);
       m.map.refresh();
       RC_ASSERT(m.map.hidden(spans, d) == expected);
       RC_ASSERT(m.map.hidden(r, d) == expected_r);
@@ -117,6 +123,7 @@ TEST_CASE("hierarchical depth map: out of the map nothing is hidden; equal depth
   CHECK_FALSE(map.hidden(PixelRectangle{-1, 0, 4, 4}, 4));
   CHECK_FALSE(map.hidden(PixelRectangle{0, 0, 41, 4}, 4));
   CHECK(map.hidden(PixelRectangle{7, 7, 7, 9}, 0));
+  CHECK_FALSE(map.hidden(Spans{{39, 38, 41}}, PixelDepth::below(grid, {{0, 0}, 9, {1, 0}})));
   map.clear();
   CHECK_FALSE(map.hidden(PixelRectangle{0, 0, 40, 40}, 4));
 }

@@ -32,6 +32,9 @@ public:
   /// hidden. Pixels out of the map are never hidden, an empty set always is.
   bool hidden(PixelRectangle const&, T nearest) const;
   bool hidden(Spans const&, T nearest) const;
+  /// The same for an occludee whose depth differs from pixel to pixel: asks the pyramid about the least
+  /// depth, then pixel by pixel. Requires: a bound from below.
+  bool hidden(Spans const&, PixelDepth const& below) const;
 
 private:
   static constexpr int tile_level = 5;  // what is written is remembered by pixels of this level
