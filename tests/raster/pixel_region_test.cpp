@@ -80,7 +80,7 @@ TEST_CASE("raster: inner and outer pixels of convex polygons are the rational tr
       PolygonSource source(grids[g], 100 + g);
       bool const exact = g < short_grids && is_exact(shape);
       CAPTURE(name(shape), g);
-      for (int i = trials(400); i > 0; --i) check(grids[g], source(shape), exact, g < short_grids ? on_short : all);
+      for (int i = trials(600); i > 0; --i) check(grids[g], source(shape), exact, g < short_grids ? on_short : all);
     }
     if (std::getenv("VISIBILITY_TRIALS_SCALE") != nullptr)
       std::printf("%-14s %ld polygons; missed %ld of %ld inside, added %ld to %ld touching; short grids: %ld, %ld\n",
@@ -258,6 +258,18 @@ TEST_CASE("raster: points out of the domain give the safe answer", "[raster][deg
   Outline const vague{triangle, {huge, 0}};
   CHECK(inner(grid, {&vague, 1}).empty());
   CHECK(pixel_count(outer(grid, vague)) == 64);
+}
+
+TEST_CASE("raster: a rounded point near an exact edge counts where it is", "[raster][degenerate]")
+{
+  // On the fixed grid the third point lies on the edge of the first two; it is beyond, and beyond the corner (1, 1).
+  auto const grid = Grid::covering({0, 0}, {8, 8}, 8, 8);
+  double const unit = 0x1p-36;
+  std::vector<Point2d> const points{{0.25 - unit, 0.75}, {4 - unit, 2}, {1 - 0.55 * unit, 1 - 0.45 * unit}, {0, 6}};
+  CHECK(Truth(grid, in_pixels(grid, points)).touching[0].end == 2);
+  CHECK(outer(grid, Outline{points}).front() == Span{0, 0, 2});
+  std::vector<Point2d> const exact{points[0], points[1], points[3]};
+  CHECK(outer(grid, Outline{exact}).front() == Span{0, 0, 1});
 }
 
 TEST_CASE("raster: an exact edge along pixels is exact beside points that are not", "[raster]")

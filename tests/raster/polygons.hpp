@@ -106,7 +106,11 @@ public:
     }
     case Shape::through_corner: {
       Point2d const a = lattice_point(), b = lattice_point();
-      double const s = random_.uniform(-3, 0), t = random_.uniform(1, 4);
+      double s = random_.uniform(-3, 0), t = random_.uniform(1, 4);
+      if (random_.chance(0.5)) {  // on a grid finer than doubles can follow where pixels are no short doubles
+        s = std::round(s * 1024) / 1024;
+        t = std::round(t * 1024) / 1024;
+      }
       points = {{a.x + s * (b.x - a.x), a.y + s * (b.y - a.y)}, {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}};
       for (int i = 2; i < n; ++i) points.push_back(anywhere(1));
       break;
@@ -149,7 +153,8 @@ inline std::vector<Grid> tested_grids()
           Grid::covering({1e6, -1e6}, {1e6 + 17, -1e6 + 8}, 17, 16),
           Grid::covering({-0.3, 0.1}, {0.7, 2.3}, 13, 9),
           Grid::covering({1e6 + 0.1, 1e6 + 0.2}, {1e6 + 33.3, 1e6 + 7.7}, 11, 16),
-          Grid::covering({-1e-9, -1e9}, {2e-9, 1e9}, 16, 16)};
+          Grid::covering({-1e-9, -1e9}, {2e-9, 1e9}, 16, 16),
+          Grid::covering({0, 0}, {11.2, 9.1}, 16, 13)};
 }
 inline constexpr std::size_t short_grids = 3;
 
