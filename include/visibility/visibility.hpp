@@ -78,6 +78,17 @@
 #include "visibility/line_space/stabbing_line.hpp"
 #include "visibility/line_space/tight_set.hpp"
 
+#include "visibility/raster/affine_depth.hpp"
+#include "visibility/raster/contours.hpp"
+#include "visibility/raster/convolution.hpp"
+#include "visibility/raster/depth_map.hpp"
+#include "visibility/raster/fixed_points.hpp"
+#include "visibility/raster/grid.hpp"
+#include "visibility/raster/half_plane.hpp"
+#include "visibility/raster/hierarchical_depth_map.hpp"
+#include "visibility/raster/pixel_region.hpp"
+#include "visibility/raster/span.hpp"
+
 #include "visibility/methods/exact_25d/cell_contacts.hpp"
 #include "visibility/methods/exact_25d/counts.hpp"
 #include "visibility/methods/exact_25d/crossed_edge.hpp"
