@@ -277,6 +277,56 @@ TEST_CASE("command line: exact-2.5d, with witnesses, inside what strong occlusio
                   ""));  // the cell lies below it
 }
 
+TEST_CASE("command line: exact-2.5d looks for the objects of another scene, which hide nothing", "[commands]")
+{
+  Folder const folder;
+  auto const wall = folder.write("wall.json", R"({"format": "visibility-scene/1", "objects": [
+    {"name": "wall", "boxes": [10,-50,0,11,50,20]}]})");
+  auto const targets = folder.write("targets.json", R"({"format": "visibility-scene/1", "objects": [
+    {"name": "near", "boxes": [5,-50,0,6,50,30]}, {"name": "behind", "boxes": [15,-5,0,16,5,5]},
+    {"name": "over", "boxes": [15,-5,90,16,5,95]}]})");
+  auto const out = folder / "pvs.json";
+  std::string const pvs = "pvs " + wall + " --cell=-1,-1,0,1,1,2 -o " + out + " --method ";
+  auto const run = visibility_command(folder, pvs + "exact-2.5d --witnesses --occludees " + targets);
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  auto const result = read_results(out).front();
+  REQUIRE(result.guarantee == Guarantee::exact);
+  REQUIRE(result.visible == std::vector<std::string>{"near", "over"});
+  REQUIRE(result.witnesses.size() == 2);
+  REQUIRE(result.occludees == targets);
+  REQUIRE(result.objects == 3);
+
+  auto const refused = [&](std::string const& arguments) {
+    auto const bad = visibility_command(folder, arguments);
+    CAPTURE(arguments, bad.err);
+    return bad.exit_code == 2 && is_one_line(bad.err);
+  };
+  REQUIRE(refused("check " + wall + " " + out));  // rays know one scene
+  REQUIRE(refused(pvs + "strong-occlusion --occludees " + targets));
+  REQUIRE(refused(pvs + "exact-2.5d --occludees gen:spheres,n=3"));
+  REQUIRE(refused(pvs + "exact-2.5d --occludees " + (folder / "nothing.obj")));
+}
+
+TEST_CASE("command line: --explain writes the visible edges, funnels and shadow planes", "[commands]")
+{
+  Folder const folder;
+  auto const lines = folder / "lines.json", out = folder / "pvs.json";
+  std::string const pvs = "pvs gen:city,n=100 --cell=-30,-30,0,30,30,10 -o " + out + " --method ";
+  auto const run = visibility_command(folder, pvs + "exact-2.5d --explain " + lines);
+  INFO(run.err);
+  REQUIRE(run.exit_code == 0);
+  std::ifstream in(lines);
+  std::string const text{std::istreambuf_iterator<char>(in), {}};
+  for (auto const* const key : {"visibility-lines/1", "edges", "exact_parts", "funnels", "shadow_planes"})
+    REQUIRE(text.find(key) != std::string::npos);
+  auto const result = read_results(out).front();
+  for (auto const& name : result.visible) REQUIRE(text.find("\"object\":\"" + name + "\"") != std::string::npos);
+  REQUIRE(visibility_command(folder, pvs + "strong-occlusion --explain " + lines).exit_code == 2);
+  REQUIRE(visibility_command(folder, pvs + "exact-2.5d --arithmetic double --explain " + lines).exit_code == 2);
+  REQUIRE(visibility_command(folder, pvs + "exact-2.5d --occludees gen:city,n=10 --explain " + lines).exit_code == 2);
+}
+
 TEST_CASE("command line: --grounded is recorded, and check asks for it", "[commands]")
 {
   Folder const folder;
