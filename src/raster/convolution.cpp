@@ -59,7 +59,7 @@ DepthMap<T> erode_rows(DepthMap<T> const& map, int begin, int end)
   return result;
 }
 
-/// Running maximum along columns by van Herk and Gil-Werman, whole rows at a time: in blocks of as many rows as the
+/// Running maximum along columns by [VanHerk92, GilWerman93], whole rows at a time: in blocks of as many rows as the
 /// window is high, maxima to the end of a block and from the start of the next.
 template <class T>
 DepthMap<T> erode_columns(DepthMap<T> const& map, int begin, int end)

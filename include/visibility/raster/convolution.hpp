@@ -24,8 +24,8 @@ struct PixelKernel {
 /// The erosion of a map by a kernel: pixel p of the result is covered iff all pixels p + o, o in the kernel, are
 /// covered (and in the map), and stores the farthest of their depths. So p swept by K lies behind what the map holds:
 /// the convolution of [Durand00, section 5.1], binary and with depth. Cost per pixel: a rectangle of w x h pixels takes
-/// log2 w + 3 maxima (van Herk / Gil-Werman along columns, doubling along rows, which vectorises); another kernel of h
-/// rows log2 w + 2 h maxima.
+/// log2 w + 3 maxima ([VanHerk92, GilWerman93] along columns, doubling along rows, which vectorises); another kernel of
+/// h rows log2 w + 2 h maxima.
 template <class T>
 DepthMap<T> erode(DepthMap<T> const&, PixelKernel const&);
 

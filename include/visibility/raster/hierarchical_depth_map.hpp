@@ -9,7 +9,7 @@
 namespace visibility {
 
 /// A depth map and its pyramid: level k halves level k - 1, rounding sizes up, and stores the farthest of the (up to)
-/// four depths below [Greene, Kass, Miller 1993; Durand00, section 2.4]. Writing brings depths nearer and leaves the
+/// four depths below [Greene93; Durand00, section 2.4]. Writing brings depths nearer and leaves the
 /// pyramid as it was; queries are exact at any time, and fast after refresh().
 template <class T>
 class HierarchicalDepthMap {
