@@ -57,6 +57,12 @@ private:
   static constexpr int wedge_depth = 4;      // a choice
   static constexpr int most_retries = 1000;  // rounding may undo what a new blocker does; exact arithmetic has no need
 
+  /// Edges are inserted where they stop a line that is tried, and nowhere else: most hide nothing that others do not.
+  /// Otherwise, where lines are not tried or not held against the scene, wherever they are not hidden.
+  bool is_lazy() const
+  {
+    return options_.sampled_lines && options_.occlusion == Occlusion::exact && !(options_.occluder_shrink > 0);
+  }
   void traverse();
   void process(std::uint32_t edge);
   void scan(CrossedEdge const& crossed);
@@ -177,7 +183,7 @@ void Search<A>::process(std::uint32_t edge)
 }
 
 /// Looks at the edge in every leaf that does not hide it: as a target until its object is known to be visible, and as
-/// an occluder.
+/// an occluder unless that waits until it stops a line.
 template <Arithmetic A>
 void Search<A>::scan(CrossedEdge const& crossed)
 {
@@ -185,6 +191,8 @@ void Search<A>::scan(CrossedEdge const& crossed)
   Edge const edge = portal(e, crossed.from_left);
   Box const box = bounding_box(e);
   auto const object = field_.object_of(e);
+  // What was seen is asked for no more, and is inserted when it stops a line.
+  if (is_lazy() && is_visible_[object]) return;
   Target const target(field_, crossed);
   // What is buried in other columns is no use as an occluder: they are in the way already.
   if (target.is_covered()) return;
@@ -211,7 +219,7 @@ void Search<A>::scan(CrossedEdge const& crossed)
       if (find == Find::blocked) return A::is_exact || ++retries < most_retries;
       is_open |= find == Find::nothing;
     }
-    insert_in_leaf(leaf, edge, lines);
+    if (!is_lazy()) insert_in_leaf(leaf, edge, lines);
     return false;
   });
   if (is_open && !is_visible_[object]) open_.push_back(crossed);
