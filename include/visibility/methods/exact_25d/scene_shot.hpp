@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/kernel/enclosed_rational.hpp"
 #include "visibility/line_space/plan_order.hpp"
 #include "visibility/methods/exact_25d/crossed_edge.hpp"
 #include "visibility/predicates/orient3d.hpp"
@@ -70,9 +71,8 @@ private:
 
   template <class NT, class IsBefore>
   std::optional<CrossedEdge> highest(Point3<NT> const& p, Point3<NT> const& q, IsBefore const& is_before) const;
-  template <class Exactness, class NT, class IsBefore>
-  std::optional<CrossedEdge> stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q,
-                                   IsBefore const& is_before) const;
+  template <class Exactness, class NT>
+  std::optional<CrossedEdge> stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q) const;
 
   HeightField const& field_;
   ViewCell const& cell_;
@@ -80,9 +80,8 @@ private:
 };
 
 template <Arithmetic A>
-template <class Exactness, class NT, class IsBefore>
-std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q,
-                                               IsBefore const& is_before) const
+template <class Exactness, class NT>
+std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q) const
 {
   auto const& top = field_.edges()[edge];
   auto const a = visibility::detail::as<NT>(top.a), b = visibility::detail::as<NT>(top.b);
@@ -93,7 +92,6 @@ std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> co
   auto const &left = from_left ? b : a, &right = from_left ? a : b;
   // Ahead of the eye: the eye lies behind the edge.
   if (!is_negative(orient2d<Exactness>(horizontal(left), horizontal(right), horizontal(p)))) return {};
-  if (!is_before(edge, portal(top, from_left))) return {};
   if (is_positive(orient3d<Exactness>(p, q, right, left))) return {};
   return CrossedEdge{edge, from_left};
 }
@@ -103,7 +101,12 @@ template <class NT, class IsBefore>
 std::optional<CrossedEdge> SceneShot<A>::highest(Point3<NT> const& p, Point3<NT> const& q,
                                                  IsBefore const& is_before) const
 {
-  using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
+  // Rational ends are enclosed by doubles once; only the reference takes them as they are.
+  constexpr bool is_plain = std::same_as<NT, double> || std::same_as<A, Rational>;
+  using Exactness =
+    std::conditional_t<std::same_as<NT, double>, A, std::conditional_t<is_plain, Rational, FilteredRational>>;
+  using Coordinate = std::conditional_t<is_plain, NT, EnclosedRational>;
+  Point3<Coordinate> const eye{p.x, p.y, p.z}, end{q.x, q.y, q.z};
   Point3d const from = visibility::detail::rounded(p);
   EnclosingProbe const probe(p, q);
   std::optional<CrossedEdge> best;
@@ -112,12 +115,12 @@ std::optional<CrossedEdge> SceneShot<A>::highest(Point3<NT> const& p, Point3<NT>
     cell_.bounds(), [&](std::uint32_t, Box const& b) { return !probe.certainly_misses(b); },
     [&](std::uint32_t i) {
       if (std::ranges::binary_search(ignored_, i)) return;
-      auto const blocker = stops<Exactness>(i, p, q, is_before);
+      auto const blocker = stops<Exactness>(i, eye, end);
       if (!blocker) return;
       auto const& e = field_.edges()[i];
       double const x = (e.a.x + e.b.x) / 2 - from.x, y = (e.a.y + e.b.y) / 2 - from.y;
       double const slope = (std::max(e.a.z, e.b.z) - from.z) / std::hypot(x, y);
-      if (best && slope <= steepest) return;
+      if ((best && slope <= steepest) || !is_before(i, portal(e, blocker->from_left))) return;
       steepest = slope;
       best = blocker;
     });

@@ -39,7 +39,7 @@ public:
   {
     traverse();
     if (options_.occlusion == Occlusion::exact) settle_open();
-    for (std::size_t i = 0; i < field_.seams().size(); ++i) settle(field_.seams()[i], field_.seam_bounds()[i]);
+    settle_seams();
   }
 
   std::vector<bool> const& is_visible() const { return is_visible_; }
@@ -70,6 +70,13 @@ private:
   {
     for (std::size_t i = 0; i < open_.size(); ++i)
       if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
+  }
+  /// Nearest groups of seams first; those that the tree hides are dropped.
+  void settle_seams()
+  {
+    field_.seam_hierarchy().front_to_back(
+      view_.bounds(), [&](std::uint32_t, Box const& b) { return !(options_.hierarchical_culling && tree_.hides(b)); },
+      [&](std::uint32_t i) { settle(field_.seams()[i], field_.seam_bounds()[i]); });
   }
   void settle(CrossedEdge const& crossed);
   void settle(Seam const& seam, Box const& bounds);
