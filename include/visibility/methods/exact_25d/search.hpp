@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -28,7 +29,7 @@ public:
   Search(HeightField const& field, ViewCell const& view, Options const& options)
     : field_(field), view_(view), options_(options), cell_(view), tree_(cell_),
       contacts_(cell_contacts(field, view, cell_)), shot_(field, view, contacts_.ignored_edges),
-      is_visible_(field.scene().objects.size()),
+      is_visible_(field.scene().objects.size()), has_stopped_(2 * field.edges().size()),
       middle_(middle_of(view)), near_middle_{CGAL::to_double(middle_.x), CGAL::to_double(middle_.y),
                                              CGAL::to_double(middle_.z)}
   {
@@ -74,13 +75,16 @@ private:
   /// Nearest groups of seams first; those that the tree hides are dropped.
   void settle_seams()
   {
+    Index open = Tree::none;
     field_.seam_hierarchy().front_to_back(
-      view_.bounds(), [&](std::uint32_t, Box const& b) { return !(options_.hierarchical_culling && tree_.hides(b)); },
+      view_.bounds(),
+      [&](std::uint32_t, Box const& b) { return !(options_.hierarchical_culling && is_hidden(b, open)); },
       [&](std::uint32_t i) { settle(field_.seams()[i], field_.seam_bounds()[i]); });
   }
   void settle(CrossedEdge const& crossed);
   void settle(Seam const& seam, Box const& bounds);
   void insert(CrossedEdge const& crossed);
+  void insert(Index leaf, CrossedEdge const& crossed);
   void insert_in_leaf(Index leaf, Edge const& whole, Funnel const& lines);
   Edge shrunk(Edge const& edge) const;
 
@@ -96,6 +100,14 @@ private:
   {
     auto const [least, greatest] = std::minmax(target.left.z, target.right.z);
     return sources(leaf, least, greatest);
+  }
+  /// Whether the tree hides all that a box may hold; `open` as in OcclusionTree::hides.
+  bool is_hidden(Box const& box, Index& open)
+  {
+    return tree_.hides(box, open, [&](Index leaf, Funnel const& lines, Edge const& screen) {
+      if (std::same_as<A, Rational>) return false;
+      return !is_ahead(leaf, screen) || is_hidden(leaf, lines, screen, {}, false);
+    });
   }
   bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed, bool as_occluder);
   bool is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part) const;
@@ -143,6 +155,7 @@ private:
   SceneShot<A> shot_;
   std::vector<bool> is_visible_;
   std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
+  std::vector<bool> has_stopped_;  // crossed edges that stopped a line that was tried
   std::vector<FoundLine> lines_;
   Point3q middle_;  // in the interior of the cell
   Point3d near_middle_;
@@ -158,26 +171,32 @@ void Search<A>::traverse()
   struct Entry {
     double distance;
     std::uint32_t node;
+    Index open;  // a leaf that does not hide the group it is part of
     bool operator<(Entry const& o) const { return distance > o.distance; }
   };
   std::priority_queue<Entry> queue;
-  queue.push({0, 0});
+  queue.push({0, 0, Tree::none});
   while (!queue.empty()) {
     auto const& node = hierarchy.nodes()[queue.top().node];
+    Index open = queue.top().open;
     queue.pop();
+    auto const items = std::span(hierarchy.items()).subspan(node.is_leaf() ? node.first : 0, node.count);
+    if (node.is_leaf() && is_lazy() &&
+        std::ranges::all_of(items, [&](std::uint32_t e) { return is_visible_[field_.object_of(field_.edges()[e])]; }))
+      continue;
     if (options_.hierarchical_culling) {
       ++counts_.nodes_tested;
-      if (tree_.hides(node.bounds)) {
+      if (is_hidden(node.bounds, open)) {
         ++counts_.nodes_hidden;
         continue;
       }
     }
     if (!node.is_leaf()) {
       for (std::uint32_t c : {node.first, node.first + 1})
-        queue.push({approximate_squared_distance(view_.bounds(), hierarchy.nodes()[c].bounds), c});
+        queue.push({approximate_squared_distance(view_.bounds(), hierarchy.nodes()[c].bounds), c, open});
       continue;
     }
-    for (auto i = node.first; i < node.first + node.count; ++i) process(hierarchy.items()[i]);
+    for (auto const edge : items) process(edge);
   }
 }
 
@@ -262,7 +281,8 @@ template <Arithmetic A>
 void Search<A>::settle(Seam const& seam, Box const& bounds)
 {
   auto const& column = field_.columns()[seam.column];
-  if (is_visible_[column.object] || (options_.hierarchical_culling && tree_.hides(bounds))) return;
+  Index open = Tree::none;
+  if (is_visible_[column.object] || (options_.hierarchical_culling && is_hidden(bounds, open))) return;
   boost::container::small_vector<Edge, 4> gates;
   if (seam.is_crease()) {
     auto const corners = field_.corners(column);
