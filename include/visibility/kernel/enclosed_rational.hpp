@@ -23,6 +23,11 @@ public:
   double low() const { return low_; }
   double high() const { return high_; }
   RationalNumber exact() const { return number_ != nullptr ? *number_ : RationalNumber(low_); }
+  friend bool operator==(EnclosedRational const& a, EnclosedRational const& b)
+  {
+    if (a.low_ != b.low_ || a.high_ != b.high_) return false;
+    return a.low_ == a.high_ || a.number_ == b.number_ || a.exact() == b.exact();
+  }
 
 private:
   double low_, high_;

@@ -32,17 +32,22 @@ public:
                                     t ? end(t->right) : end(sequence.target.right)};
     for (auto const& f : sequence.occluders) {
       End const left = end(f.left), right = end(f.right);
-      add(source, target, [&](End const& a, End const& b, auto const& sign_of) {
-        return sign_of(detail::Orient3dFormula{}, a[0], a[1], a[2], b[0], b[1], b[2], right[0], right[1], right[2],
-                       left[0], left[1], left[2]);
-      });
+      add(
+        source, target, [](End const&, End const&) { return false; },
+        [&](End const& a, End const& b, auto const& sign_of) {
+          return sign_of(detail::Orient3dFormula{}, a[0], a[1], a[2], b[0], b[1], b[2], right[0], right[1], right[2],
+                         left[0], left[1], left[2]);
+        });
     }
     auto const add_point = [&](EnclosedRational const& x, EnclosedRational const& y, PortalSequence::Side side) {
       bool const left = side == PortalSequence::Side::left;
-      add(source, target, [&](End const& a, End const& b, auto const& sign_of) {
-        return left ? sign_of(detail::Orient2dFormula{}, a[0], a[1], b[0], b[1], x, y)
-                    : sign_of(detail::Orient2dFormula{}, b[0], b[1], a[0], a[1], x, y);
-      });
+      add(
+        source, target,
+        [&](End const& a, End const& b) { return (a[0] == x && a[1] == y) || (b[0] == x && b[1] == y); },
+        [&](End const& a, End const& b, auto const& sign_of) {
+          return left ? sign_of(detail::Orient2dFormula{}, a[0], a[1], b[0], b[1], x, y)
+                      : sign_of(detail::Orient2dFormula{}, b[0], b[1], a[0], a[1], x, y);
+        });
     };
     for (auto const& x : sequence.points) add_point(x.point.x, x.point.y, x.side);
     for (auto const& x : sequence.constructed_points) add_point(x.point.x, x.point.y, x.side);
@@ -76,13 +81,16 @@ private:
   static End end(Point3d const& p) { return {p.x, p.y, p.z}; }
   static End end(Point3q const& p) { return {p.x, p.y, p.z}; }
 
-  template <class Condition>
-  void add(std::array<End, 2> const& source, std::array<End, 2> const& target, Condition const& condition)
+  /// `vanishes`: at two ends the condition is zero, as it shows without arithmetic.
+  template <class Vanishes, class Condition>
+  void add(std::array<End, 2> const& source, std::array<End, 2> const& target, Vanishes const& vanishes,
+           Condition const& condition)
   {
-    Form form;
+    Form form{};
     {
       CGAL::Protect_FPU_rounding<true> const upward;
       for (std::size_t i = 0; i < 4; ++i) {
+        if (vanishes(source[i & 1], target[i / 2])) continue;
         auto const [low, high] = condition(source[i & 1], target[i / 2], bounds);
         form.high[i] = high, form.minus_low[i] = -low;
         is_bounded_ &= std::isfinite(low) && std::isfinite(high);

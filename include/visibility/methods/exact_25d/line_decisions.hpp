@@ -14,32 +14,35 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& target) ->
     auto const answer = [&](Point3q const& start, Point3q const& end) {
       return confirm(
         leaf, start, end,
-        [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker(p, q, target.crossed()); },
+        [&](auto const& p, auto const& q, auto const&) { return shot_.first_blocker(p, q, target.crossed()); },
         [&](Point3q const& p) { found(target.crossed(), p, end); });
     };
     for (auto const& part : target.parts()) {
-      if (auto const find = ask(question.within(target.point(part.low), target.point(part.high)), leaf, answer);
+      if (auto const find =
+            ask(question.within(target.point(part.low), target.point(part.high)), leaf, target.edge(), answer);
           find != Find::nothing)
         return find;
     }
     if (target.is_fully_exposed())
-      if (auto const find = ask(question, leaf, answer); find != Find::nothing) return find;
+      if (auto const find = ask(question, leaf, target.edge(), answer); find != Find::nothing) return find;
   }
   return Find::nothing;
 }
 
-/// The same for a part of a seam, which has constructed ends.
+/// The same for a part of a seam, which has constructed ends; `gate` lies on its line, or beyond.
 template <Arithmetic A>
-auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column) -> Find
+auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column, Edge const& gate)
+  -> Find
 {
   PortalSequence::ConstructedEdge const target{part.left, part.right};
   for (auto const& source : sources(leaf, -HUGE_VAL, HUGE_VAL)) {
     // From the near side to the far one: a funnel through the sides of the column holds lines of both directions.
     auto const question =
       PortalQuestion<A>(lines, source, target).within(horizontal(part.left), horizontal(part.right));
-    auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
+    auto const find = ask(question, leaf, gate, [&](Point3q const& start, Point3q const& end) {
       return confirm(
-        leaf, start, end, [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); },
+        leaf, start, end,
+        [&](auto const& p, auto const& q, auto const& e) { return shot_.first_blocker_before(p, q, e); },
         [&](Point3q const& p) { found(column, true, p, end); });
     });
     if (find != Find::nothing) return find;
@@ -47,13 +50,14 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, st
   return Find::nothing;
 }
 
+/// An edge in the place of the target is not before it.
 template <Arithmetic A>
 template <class Answer>
-auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Answer const& answer) -> Find
+auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Edge const& target, Answer const& answer) -> Find
 {
   auto const& l = tree_.leaf(leaf);
   for (auto const& f : l.blockers)
-    question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
+    if (!(f.edge == target)) question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
   Find find = Find::nothing;
   question.any_line([&](Point3q const& start, Point3q const& end) {
     find = answer(start, end);
@@ -70,6 +74,13 @@ auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Sh
                         Found const& found_from) -> Find
 {
   if (!A::is_exact || options_.occluder_shrink > 0) return found_from(start), Find::visible;
+  auto const inserts = [&](CrossedEdge const& blocker) {
+    Edge const edge = portal(field_, blocker);
+    if (holds(leaf, edge)) return false;
+    ++counts_.shots_blocked;
+    insert(blocker);
+    return !tree_.is_leaf(leaf) || holds(leaf, edge);
+  };
   RationalNumber step(0x1p-8);
   for (int i = 0; i < 12; ++i, step = step * step) {
     Point3q const p = between(start, middle_, step);
@@ -77,13 +88,15 @@ auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Sh
     low.z = end.z - step;
     Point3q const q = between(p, low, RationalNumber(1) + step);
     ++counts_.shots;
-    auto const blocker = shoot(p, q);
+    // Most lines are stopped, and an edge that stops a rounded one is as good.
+    if (i == 0 && !std::same_as<A, Rational>) {
+      using visibility::detail::rounded;
+      auto const blocker = shoot(rounded(p), rounded(q), rounded(end));
+      if (blocker && inserts(*blocker)) return Find::blocked;
+    }
+    auto const blocker = shoot(p, q, end);
     if (!blocker) return found_from(p), Find::visible;
-    Edge const edge = portal(field_, *blocker);
-    if (holds(leaf, edge)) continue;
-    ++counts_.shots_blocked;
-    insert(*blocker);
-    if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
+    if (inserts(*blocker)) return Find::blocked;
   }
   throw std::logic_error("a sight line is stopped by an edge that it was found to pass");
 }

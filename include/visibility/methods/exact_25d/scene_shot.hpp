@@ -45,18 +45,21 @@ public:
   }
 
   /// The same with a point of the line in plan as target.
-  std::optional<CrossedEdge> first_blocker_before(Point3q const& p, Point3q const& q, Point3q const& end) const
+  template <class NT>
+  std::optional<CrossedEdge> first_blocker_before(Point3<NT> const& p, Point3<NT> const& q, Point3<NT> const& end) const
   {
+    using R = RationalNumber;
+    if (p.x == q.x && p.y == q.y) return {};  // rounded ends
     bool const along_x = p.x != q.x;
-    RationalNumber const last =
-      along_x ? RationalNumber((end.x - p.x) / (q.x - p.x)) : RationalNumber((end.y - p.y) / (q.y - p.y));
+    R const last = along_x ? R((R(end.x) - R(p.x)) / (R(q.x) - R(p.x))) : R((R(end.y) - R(p.y)) / (R(q.y) - R(p.y)));
     return highest(p, q, [&](std::uint32_t, PortalSequence::Edge const& f) { return position(p, q, f) < last; });
   }
 
 private:
   using Edge = PortalSequence::Edge;
 
-  /// The parameter along p -> q at which it crosses the line of an edge in plan.
+  /// The parameter along p -> q at which it crosses the line of an edge in plan; 0 if it is parallel, with rounded
+  /// ends.
   template <class NT>
   static RationalNumber position(Point3<NT> const& p, Point3<NT> const& q, Edge const& e)
   {
@@ -65,8 +68,8 @@ private:
       return R(
         visibility::detail::Orient2dFormula{}(R(e.left.x), R(e.left.y), R(e.right.x), R(e.right.y), R(x.x), R(x.y)));
     };
-    R const at_p = side(p);
-    return R(at_p / (at_p - side(q)));
+    R const at_p = side(p), width = at_p - side(q);
+    return width == 0 ? R(0) : R(at_p / width);
   }
 
   template <class NT, class IsBefore>

@@ -115,9 +115,9 @@ private:
                       bool as_occluder) const;
   Find sample(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Funnel const& lines, Target const& target);
-  Find decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column);
+  Find decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column, Edge const& gate);
   template <class Answer>
-  Find ask(PortalQuestion<A> question, Index leaf, Answer const& answer);
+  Find ask(PortalQuestion<A> question, Index leaf, Edge const& target, Answer const& answer);
   template <class Shoot, class Found>
   Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot, Found const& found_from);
   static Point3q middle_of(ViewCell const& view)
@@ -305,7 +305,7 @@ void Search<A>::settle(Seam const& seam, Box const& bounds)
         ++counts_.decisions;
         Find const find = options_.occlusion == Occlusion::single_wedges
                             ? (is_visible_[column.object] = true, Find::visible)
-                            : decide(leaf, lines, part, seam.column);
+                            : decide(leaf, lines, part, seam.column, edge);
         if (find == Find::visible) ++counts_.decided_visible;
         return find == Find::blocked && (A::is_exact || ++retries < most_retries);
       });
