@@ -77,7 +77,8 @@ void cells(Report& report, Size size)
                     full ? 3 : 1));
     if (source.counterpart != Paper::city) return;
     // From above the roofs much of the city is seen: the square without buildings in the middle, and higher up.
-    for (auto const& [half, top] : {std::pair(71.0, 2.0), std::pair(2.0, full ? 850.0 : 2.0)}) {
+    double const high = full ? 850 : 2, highest = full ? 865 : 2;
+    for (auto const& [half, top] : {std::pair(71.0, 2.0), std::pair(2.0, high), std::pair(71.0, highest)}) {
       ViewCell const cell(Box{{-half, -half, 0}, {half, half, top}});
       add(to_string(source.counterpart) + ": central square", 8 * half, top, nullptr, measure(*m.field, {cell}, 1));
     }

@@ -4,6 +4,7 @@
 
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/kernel/bounded.hpp"
+#include "visibility/kernel/enclosed_rational.hpp"
 #include "visibility/kernel/layers.hpp"
 #include "visibility/kernel/number_types.hpp"
 #include "visibility/kernel/point.hpp"
@@ -71,6 +72,7 @@
 #include "visibility/line_space/plucker_line.hpp"
 #include "visibility/line_space/portal_decision.hpp"
 #include "visibility/line_space/portal_half_spaces.hpp"
+#include "visibility/line_space/portal_search.hpp"
 #include "visibility/line_space/portal_sequence.hpp"
 #include "visibility/line_space/primitive.hpp"
 #include "visibility/line_space/quadratic_number.hpp"

@@ -115,7 +115,7 @@ template <Arithmetic A>
 std::pair<PotentiallyVisibleSet, Explanation> Exact25d<A>::explain(HeightField const& field, ViewCell const& cell) const
 {
   Search<A> search(field, cell, options_);
-  search.keep_dominated();
+  search.keep_all();
   search.run();
   Explanation explanation{search.visible_edges(), line_space_cells(search), {}};
   explanation.shadows = shadows(search.cell(), explanation.cells);

@@ -82,8 +82,11 @@ HeightField::HeightField(Scene const& scene) : scene_(&scene)
   edge_hierarchy_ = BoundingHierarchy(edge_bounds);
   column_hierarchy_ = BoundingHierarchy(column_bounds);
   seams_ = find_seams(*this);
+  // Most are covered all along, which every query would find out again.
+  std::erase_if(seams_, [&](Seam const& s) { return exposed_parts(*this, s).empty(); });
   seam_bounds_.reserve(seams_.size());
   for (auto const& s : seams_) seam_bounds_.push_back(bounds(*this, s));
+  seam_hierarchy_ = BoundingHierarchy(seam_bounds_);
 }
 
 }  // namespace visibility

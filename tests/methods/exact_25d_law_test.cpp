@@ -105,6 +105,37 @@ TEST_CASE("exact-2.5d: the set does not depend on what makes it fast", "[methods
   });
 }
 
+TEST_CASE("exact-2.5d: groups of edges are dropped only if nothing of them is seen, from streets and from above",
+          "[methods][law]")
+{
+  std::size_t hidden_groups = 0, fewer_inserted = 0;
+  for (std::string const specification : {"city,n=150,base=40,street=11.6,low=12,high=25", "slanted,n=150"}) {
+    Scene const scene = generate(specification);
+    HeightField const field(scene);
+    Box const all = bounding_box(scene);
+    Random random(71);
+    for (int trial = 0; trial < trials(12); ++trial) {
+      CAPTURE(specification, trial);
+      double const x = random.uniform(all.min.x, all.max.x), y = random.uniform(all.min.y, all.max.y);
+      double const z = random.chance(0.5) ? 0.5 : all.max.z * random.uniform(0.5, 1.5);
+      double const length = random.chance(0.3) ? 60 : 4;
+      ViewCell const cell(Box{{x, y, z}, {x + length, y + 4, z + 2}});
+      auto const set = Exact25d<>()(field, cell);
+      if (set.guarantee != Guarantee::exact) continue;
+      Options whole, every_edge;
+      whole.hierarchical_culling = false;
+      every_edge.sampled_lines = false;
+      CHECK(Exact25d<>(whole)(field, cell).visible == set.visible);
+      auto const full = Exact25d<>(every_edge)(field, cell);
+      CHECK(full.visible == set.visible);
+      hidden_groups += set.statistics.at("nodes_hidden") > 0;
+      fewer_inserted += set.statistics.at("occluders_inserted") < full.statistics.at("occluders_inserted");
+    }
+  }
+  CHECK(hidden_groups > std::size_t(trials(6)));
+  CHECK(fewer_inserted > std::size_t(trials(6)));
+}
+
 TEST_CASE("exact-2.5d: the set does not depend on the order of objects and corners", "[methods][law]")
 {
   for_cases(20, [](HeightCase const& c, Random& random) {

@@ -96,8 +96,20 @@ public:
   /// Whether blockers hide everything in the box, in whose place there may be anything. May be false although they do.
   /// Uses in each node the greatest slope up to which all lines are blocked: beyond `reach`, a point whose distance
   /// from the centre of the cell is between d and D is hidden unless it is higher than top + slope * (d + radius), with
-  /// D for d if the slope is negative.
-  bool hides(Box const& box) const;
+  /// D for d if the slope is negative. Where that does not suffice in a leaf, hides_in(leaf, lines, screen) is asked:
+  /// whether all sight lines of the leaf to the edge `screen` are blocked before it. It is a side of the box by which
+  /// lines enter, so high that none that ends in the box passes above it.
+  /// `open` is a leaf to look at first, `none` or any node; if the answer is false, it becomes one that does not hide
+  /// it.
+  template <class HidesIn>
+  bool hides(Box const& box, Index& open, HidesIn&& hides_in) const;
+
+  /// Those of the lines that pass between the ends, left end on the left.
+  static Funnel crossing(Funnel const& lines, PlanGate const& e)
+  {
+    Funnel const part = lines.with<A>(e.left, Sign::positive);
+    return part.empty() ? part : part.with<A>(e.right, Sign::negative);
+  }
 
 private:
   enum class Next { other, again, stop };
@@ -124,13 +136,9 @@ private:
     double const rise = n.slope * ((n.slope > 0 ? r.least : r.greatest) + cell_.radius);
     return r.height <= cell_.top + rise - 0x1p-48 * (std::fabs(cell_.top) + std::fabs(rise));
   }
-  bool is_behind(std::size_t exit, Box const& box) const;
-  static Funnel crossing(Funnel const& lines, PlanGate const& e)
-  {
-    Funnel const part = lines.with<A>(e.left, Sign::positive);
-    return part.empty() ? part : part.with<A>(e.right, Sign::negative);
-  }
-
+  bool is_behind(std::size_t exit, Box const& box, Sign side = Sign::negative) const;
+  bool is_apart(Box const& box) const;
+  double screen_height(Box const& box) const;
   struct Slope {
     double slope, reach;
   };
@@ -291,41 +299,80 @@ void OcclusionTree<A>::walk(PlanGate const& e, Box const& bounds, Visit&& visit)
   }
 }
 
-/// Whether the box certainly lies behind the line of a side, where lines that leave by it no longer come.
+/// Whether the box certainly lies on one side of the line of a side: behind it lines that leave by it no longer come;
+/// ahead of it, on the positive side, is nothing of the outline.
 template <Arithmetic A>
-bool OcclusionTree<A>::is_behind(std::size_t exit, Box const& box) const
+bool OcclusionTree<A>::is_behind(std::size_t exit, Box const& box, Sign where) const
 {
   auto const side = cell_.exit(exit);
   for (int i = 0; i < 4; ++i) {
     Enclosed const s =
       detail::enclosed_orient2d(horizontal(side.left), horizontal(side.right), horizontal(box.corner(i)));
-    if (!(s.value < -s.error)) return false;
+    if (!(is_negative(where) ? s.value < -s.error : s.value > s.error)) return false;
   }
   return true;
 }
 
-/// A line meets the box iff it crosses one of the diagonals, in one direction or the other.
+/// The height of the highest line of sight into the box where it enters. It rises to the top, or falls to it from the
+/// height h of the cell's top: then at most D / (d + D) of its way lies in the box, d the least distance of the cell
+/// from the box and D the box's diagonal.
 template <Arithmetic A>
-bool OcclusionTree<A>::hides(Box const& box) const
+double OcclusionTree<A>::screen_height(Box const& box) const
 {
-  bool hidden = true;
-  auto const crosses = [&](Point2d const& a, Point2d const& b) {
-    for (PlanGate const& e : {PlanGate{a, b}, PlanGate{b, a}}) {
-      // Some corner of the cell lies behind.
-      bool const is_crossed = std::ranges::any_of(cell_.corners, [&](Point3d const& c) {
-        Enclosed const s = detail::enclosed_orient2d(e.left, e.right, horizontal(c));
-        return !(s.value > s.error);
-      });
-      if (is_crossed && hidden)
-        walk(e, box, [&](Index, Funnel const&) {
-          hidden = false;
-          return Next::stop;
-        });
-    }
+  double const fall = cell_.top - box.max.z;
+  if (!(fall > 0)) return box.max.z;
+  double const diagonal = std::hypot(box.max.x - box.min.x, box.max.y - box.min.y);
+  double const distance = std::max(0.0, reach_of(box).least * (1 - 0x1p-48) - cell_.radius * (1 + 0x1p-48));
+  if (!(distance + diagonal > 0)) return cell_.top;
+  double const height = box.max.z + fall * (diagonal / (distance + diagonal)) * (1 + 0x1p-40) +
+                        0x1p-48 * (std::fabs(box.max.z) + std::fabs(cell_.top));
+  return std::min(height, cell_.top);
+}
+
+/// Whether the box certainly has no point within the outline of the cell.
+template <Arithmetic A>
+bool OcclusionTree<A>::is_apart(Box const& box) const
+{
+  for (std::size_t i = 0; i < cell_.size(); ++i)
+    if (is_behind(i, box, Sign::positive)) return true;
+  auto const beyond = [&](auto const& coordinate) {
+    return std::ranges::all_of(cell_.corners, [&](Point3d const& c) { return coordinate(c) < coordinate(box.min); }) ||
+           std::ranges::all_of(cell_.corners, [&](Point3d const& c) { return coordinate(c) > coordinate(box.max); });
   };
-  crosses({box.min.x, box.min.y}, {box.max.x, box.max.y});
-  crosses({box.min.x, box.max.y}, {box.max.x, box.min.y});
-  return hidden;
+  return beyond([](Point3d const& p) { return p.x; }) || beyond([](Point3d const& p) { return p.y; });
+}
+
+/// Lines come from outside, so they enter the box by a side that has corners of the cell behind it.
+template <Arithmetic A>
+template <class HidesIn>
+bool OcclusionTree<A>::hides(Box const& box, Index& open, HidesIn&& hides_in) const
+{
+  if (!is_apart(box)) return false;
+  double const height = screen_height(box);
+  std::array<Point3d, 4> const corners{Point3d{box.min.x, box.min.y, height}, Point3d{box.max.x, box.min.y, height},
+                                       Point3d{box.max.x, box.max.y, height}, Point3d{box.min.x, box.max.y, height}};
+  std::array const is_crossed{std::ranges::any_of(cell_.corners, [&](Point3d const& c) { return c.y < box.min.y; }),
+                              std::ranges::any_of(cell_.corners, [&](Point3d const& c) { return c.x > box.max.x; }),
+                              std::ranges::any_of(cell_.corners, [&](Point3d const& c) { return c.y > box.max.y; }),
+                              std::ranges::any_of(cell_.corners, [&](Point3d const& c) { return c.x < box.min.x; })};
+  auto const screen = [&](std::size_t i) { return PortalSequence::Edge{corners[i], corners[(i + 1) % 4]}; };
+  // What is open for a group is likely to be open for its parts.
+  if (open != none && nodes_[open].is_leaf() && !is_behind(leaf(open).exit, box) &&
+      !is_below_slope(nodes_[open], reach_of(box)))
+    for (std::size_t i = 0; i < 4; ++i) {
+      if (!is_crossed[i]) continue;
+      Funnel const lines = crossing(leaf(open).lines, gate(screen(i)));
+      if (!lines.empty() && !hides_in(open, lines, screen(i))) return false;
+    }
+  open = none;
+  for (std::size_t i = 0; i < 4 && open == none; ++i)
+    if (is_crossed[i])
+      walk(gate(screen(i)), box, [&](Index leaf, Funnel const& lines) {
+        if (hides_in(leaf, lines, screen(i))) return Next::other;
+        open = leaf;
+        return Next::stop;
+      });
+  return open == none;
 }
 
 }  // namespace visibility

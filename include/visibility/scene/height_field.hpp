@@ -67,10 +67,13 @@ public:
   /// Items: positions in columns(). Bounds are those of the columns, down without end.
   BoundingHierarchy const& column_hierarchy() const { return column_hierarchy_; }
 
-  /// Where the top of a column ends at that of another object, inside its plan. In the order of find_seams().
+  /// Where the top of a column ends at that of another object, inside its plan, and is exposed there: those of
+  /// find_seams() that have parts, in its order.
   std::span<Seam const> seams() const { return seams_; }
   /// Boxes that contain the parts of the seams, up to the lower of the two tops; position by position.
   std::span<Box const> seam_bounds() const { return seam_bounds_; }
+  /// Items: positions in seams(). Bounds are seam_bounds().
+  BoundingHierarchy const& seam_hierarchy() const { return seam_hierarchy_; }
 
   double ground() const { return ground_; }  ///< least height in the scene
   /// Objects with a solid that neither reaches down to the ground nor stands on a box of the object that does, or whose
@@ -88,6 +91,7 @@ private:
   BoundingHierarchy edge_hierarchy_, column_hierarchy_;
   std::vector<Seam> seams_;
   std::vector<Box> seam_bounds_;
+  BoundingHierarchy seam_hierarchy_;
   double ground_ = 0;
   std::size_t raised_ = 0, invalid_footprints_ = 0;
 };

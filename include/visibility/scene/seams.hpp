@@ -8,7 +8,7 @@
 namespace visibility {
 
 /// All pairs of tops that meet in a seam: those that have exposed parts, and perhaps others that have none. Sorted by
-/// column, other, edge and side. The constructor of HeightField keeps them as `seams()`.
+/// column, other, edge and side. The constructor of HeightField keeps those with parts as `seams()`.
 /// Besides feet and creases across the inside of S's polygon there are those along a side of it that `edges()` leaves
 /// out, because S's object goes on beyond it: nobody else asks for these.
 /// Cost: one query of column_hierarchy() per column, and signs of predicates for the columns of other objects whose

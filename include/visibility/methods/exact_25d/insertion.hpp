@@ -17,6 +17,20 @@ void Search<A>::insert(CrossedEdge const& crossed)
   });
 }
 
+/// An edge that stops a line goes into the leaf of that line; if it stops another one, wherever it is not hidden. Most
+/// never do, and would divide leaves where nobody asks.
+template <Arithmetic A>
+void Search<A>::insert(Index leaf, CrossedEdge const& crossed)
+{
+  auto stopped = has_stopped_[2 * crossed.edge + (crossed.from_left ? 1 : 0)];
+  if (stopped) return insert(crossed);
+  stopped = true;
+  Edge const edge = portal(field_, crossed);
+  Funnel const lines = tree_.crossing(tree_.leaf(leaf).lines, gate(edge));
+  if (!lines.empty() && is_ahead(leaf, edge) && !is_hidden(leaf, lines, edge, {}, true))
+    insert_in_leaf(leaf, edge, lines);
+}
+
 /// The edge shortened at both ends, rounded; degenerate where nothing is left.
 template <Arithmetic A>
 auto Search<A>::shrunk(Edge const& edge) const -> Edge
@@ -44,7 +58,7 @@ void Search<A>::insert_in_leaf(Index leaf, Edge const& whole, Funnel const& line
   if (leaf != Tree::none) leaf = tree_.divide(leaf, horizontal(edge.right), Sign::negative);
   if (leaf == Tree::none) return;
   bool const everywhere = order == PlanOrder::after;
-  if (everywhere && options_.penumbra_wedges && !keeps_dominated_ && !tree_.leaf(leaf).blockers.empty() &&
+  if (everywhere && options_.penumbra_wedges && !keeps_all_ && !tree_.leaf(leaf).blockers.empty() &&
       cell_.inner.empty()) {
     auto const& part = tree_.leaf(leaf);
     EdgeRange const t = crossed_range(lines, gate(edge));

@@ -14,32 +14,35 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, Target const& target) ->
     auto const answer = [&](Point3q const& start, Point3q const& end) {
       return confirm(
         leaf, start, end,
-        [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker(p, q, target.crossed()); },
+        [&](auto const& p, auto const& q, auto const&) { return shot_.first_blocker(p, q, target.crossed()); },
         [&](Point3q const& p) { found(target.crossed(), p, end); });
     };
     for (auto const& part : target.parts()) {
-      if (auto const find = ask(question.within(target.point(part.low), target.point(part.high)), leaf, answer);
+      if (auto const find =
+            ask(question.within(target.point(part.low), target.point(part.high)), leaf, target.edge(), answer);
           find != Find::nothing)
         return find;
     }
     if (target.is_fully_exposed())
-      if (auto const find = ask(question, leaf, answer); find != Find::nothing) return find;
+      if (auto const find = ask(question, leaf, target.edge(), answer); find != Find::nothing) return find;
   }
   return Find::nothing;
 }
 
-/// The same for a part of a seam, which has constructed ends.
+/// The same for a part of a seam, which has constructed ends; `gate` lies on its line, or beyond.
 template <Arithmetic A>
-auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column) -> Find
+auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column, Edge const& gate)
+  -> Find
 {
   PortalSequence::ConstructedEdge const target{part.left, part.right};
   for (auto const& source : sources(leaf, -HUGE_VAL, HUGE_VAL)) {
     // From the near side to the far one: a funnel through the sides of the column holds lines of both directions.
     auto const question =
       PortalQuestion<A>(lines, source, target).within(horizontal(part.left), horizontal(part.right));
-    auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
+    auto const find = ask(question, leaf, gate, [&](Point3q const& start, Point3q const& end) {
       return confirm(
-        leaf, start, end, [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker_before(p, q, end); },
+        leaf, start, end,
+        [&](auto const& p, auto const& q, auto const& e) { return shot_.first_blocker_before(p, q, e); },
         [&](Point3q const& p) { found(column, true, p, end); });
     });
     if (find != Find::nothing) return find;
@@ -49,10 +52,10 @@ auto Search<A>::decide(Index leaf, Funnel const& lines, SeamPart const& part, st
 
 template <Arithmetic A>
 template <class Answer>
-auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Answer const& answer) -> Find
+auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Edge const& target, Answer const& answer) -> Find
 {
   Find find = Find::nothing;
-  question_in(leaf, std::move(question)).any_line([&](Point3q const& start, Point3q const& end) {
+  question_in(leaf, std::move(question), target).any_line([&](Point3q const& start, Point3q const& end) {
     find = answer(start, end);
     return find != Find::nothing;
   });
@@ -66,6 +69,7 @@ template <class Shoot, class Found>
 auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot,
                         Found const& found_from) -> Find
 {
+  Point3d const near_end = visibility::detail::rounded(end);
   return confirm(
     leaf,
     [&](RationalNumber const& step) {
@@ -74,7 +78,13 @@ auto Search<A>::confirm(Index leaf, Point3q const& start, Point3q const& end, Sh
       low.z = end.z - step;
       return std::pair(p, between(p, low, RationalNumber(1) + step));
     },
-    shoot, [&](Point3q const& p, Point3q const&) { return found_from(p), true; });
+    [&](auto const& p, auto const& q) {
+      if constexpr (std::same_as<decltype(p), Point3d const&>)
+        return shoot(p, q, near_end);
+      else
+        return shoot(p, q, end);
+    },
+    [&](Point3q const& p, Point3q const&) { return found_from(p), true; });
 }
 
 /// The same for a line that is moved by smaller and smaller steps, until found(p, q) accepts it.
@@ -83,21 +93,29 @@ template <class LineAt, class Shoot, class Found>
 auto Search<A>::confirm(Index leaf, LineAt const& line_at, Shoot const& shoot, Found const& found) -> Find
 {
   bool const is_faithful = A::is_exact && options_.occluder_shrink == 0;
+  auto const inserts = [&](CrossedEdge const& blocker) {
+    Edge const edge = portal(field_, blocker);
+    if (holds(leaf, edge)) return false;
+    ++counts_.shots_blocked;
+    insert(blocker);
+    return !tree_.is_leaf(leaf) || holds(leaf, edge);
+  };
   RationalNumber step(0x1p-8);
   for (int i = 0; i < 12; ++i, step = step * step) {
     auto const [p, q] = line_at(step);
     if (!is_faithful) return found(p, q), Find::visible;
     ++counts_.shots;
+    // Most lines are stopped, and an edge that stops a rounded one is as good.
+    if (i == 0 && !std::same_as<A, Rational>) {
+      auto const blocker = shoot(visibility::detail::rounded(p), visibility::detail::rounded(q));
+      if (blocker && inserts(*blocker)) return Find::blocked;
+    }
     auto const blocker = shoot(p, q);
     if (!blocker) {
       if (found(p, q)) return Find::visible;
-      continue;
+    } else if (inserts(*blocker)) {
+      return Find::blocked;
     }
-    Edge const edge = portal(field_, *blocker);
-    if (holds(leaf, edge)) continue;
-    ++counts_.shots_blocked;
-    insert(*blocker);
-    if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
   }
   throw std::logic_error("a sight line is stopped by an edge that it was found to pass");
 }

@@ -64,7 +64,7 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
         Edge const edge = portal(field_, *blocker);
         if (holds(leaf, edge)) continue;  // too far below the top: closer
         ++counts_.shots_blocked;
-        insert(*blocker);
+        insert(leaf, *blocker);
         if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
       }
     }

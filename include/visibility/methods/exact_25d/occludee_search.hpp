@@ -33,7 +33,8 @@ bool Search<A>::is_culled(Box const& box)
 {
   if (!options_.hierarchical_culling || is_over_cell(box)) return false;
   ++counts_.nodes_tested;
-  bool const hidden = tree_.hides(box);
+  Index open = Tree::none;
+  bool const hidden = is_hidden(box, open);
   counts_.nodes_hidden += hidden;
   return hidden;
 }
@@ -99,7 +100,7 @@ bool Search<A>::look_at(std::uint32_t piece, std::vector<ExposedLine> const& lin
           if (find == Find::visible) ++counts_.sampled_visible;
           if (find == Find::nothing && decided) {
             ++counts_.decisions;
-            find = decide(leaf, funnel, piece, line, wedge);
+            find = decide(leaf, funnel, piece, line, wedge, edge);
             if (find == Find::visible) ++counts_.decided_visible;
           }
         }
@@ -159,7 +160,7 @@ auto Search<A>::sample(Index leaf, Funnel const& funnel, std::uint32_t piece, Ex
         Edge const edge = portal(field_, *blocker);
         if (holds(leaf, edge)) continue;
         ++counts_.shots_blocked;
-        insert(*blocker);
+        insert(leaf, *blocker);
         if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
       }
     }
@@ -167,23 +168,23 @@ auto Search<A>::sample(Index leaf, Funnel const& funnel, std::uint32_t piece, Ex
   return Find::nothing;
 }
 
-/// The questions that a line puts in a leaf, one for each source. An answer runs to the line; moved a little towards
-/// the inside of the cell and of the piece it must still be free.
+/// The questions that a line puts in a leaf (`gate` holds it, or is crossed beyond), one for each source. An answer
+/// runs to the line; moved a little towards the inside of the cell and of the piece it must still be free.
 template <Arithmetic A>
 auto Search<A>::decide(Index leaf, Funnel const& funnel, std::uint32_t piece, ExposedLine const& line,
-                       SeamWedge const& wedge) -> Find
+                       SeamWedge const& wedge, Edge const& gate) -> Find
 {
   PortalSequence::ConstructedEdge const target{line.part.left, line.part.right};
   for (auto const& source : sources(leaf, wedge.least_height(), wedge.greatest_height())) {
     auto const question =
       PortalQuestion<A>(funnel, source, target).within(horizontal(line.part.left), horizontal(line.part.right));
-    auto const find = ask(question, leaf, [&](Point3q const& start, Point3q const& end) {
+    auto const find = ask(question, leaf, gate, [&](Point3q const& start, Point3q const& end) {
       return confirm(
         leaf,
         [&](RationalNumber const& step) {
           return std::pair(between(start, middle_, step), between(end, exact(line.inside), step));
         },
-        [&](Point3q const& p, Point3q const& q) { return shot_.first_blocker(p, q); },
+        [&](auto const& p, auto const& q) { return shot_.first_blocker(p, q); },
         [&](Point3q const& p, Point3q const& q) { return found_occludee(piece, p, q); });
     });
     if (find != Find::nothing) return find;

@@ -3,6 +3,7 @@
 #include "visibility/line_space/cell_outline.hpp"
 #include "visibility/line_space/plan_order.hpp"
 #include "visibility/line_space/portal_decision.hpp"
+#include "visibility/line_space/portal_search.hpp"
 
 #include <boost/container/small_vector.hpp>
 
@@ -21,13 +22,12 @@ class PortalQuestion {
 public:
   using Edge = PortalSequence::Edge;
 
-  PortalQuestion(Funnel const& lines, Edge const& source, Edge const& target)
-    : PortalQuestion(lines, source, exact_gate(target))
+  PortalQuestion(Funnel const& lines, Edge const& source, Edge const& target) : PortalQuestion(lines, source)
   {
     sequence_.target = target;
   }
   PortalQuestion(Funnel const& lines, Edge const& source, PortalSequence::ConstructedEdge const& target)
-    : PortalQuestion(lines, source, Gate<RationalNumber>{horizontal(target.left), horizontal(target.right)})
+    : PortalQuestion(lines, source)
   {
     sequence_.constructed_target = target;
   }
@@ -47,7 +47,7 @@ public:
     PlanOrder const order = order_at_target(edge);
     if (order == PlanOrder::after || order == PlanOrder::collinear) return;
     Ambiguous a{edge, {}};
-    if (order == PlanOrder::crossing) a.conditions.push_back({target_, true});
+    if (order == PlanOrder::crossing) a.conditions.push_back({target_gate(), true});
     if (entry) a.conditions.push_back({exact_gate(*entry), false});
     if (a.conditions.empty())
       sequence_.occluders.push_back(edge);
@@ -90,7 +90,7 @@ private:
     boost::container::small_vector<Condition, 2> conditions;
   };
 
-  PortalQuestion(Funnel const& lines, Edge const& source, Gate<RationalNumber> target) : target_(std::move(target))
+  PortalQuestion(Funnel const& lines, Edge const& source)
   {
     sequence_.source = source;
     for (auto const& v : lines.vertices()) {
@@ -103,14 +103,37 @@ private:
     sequence_.points.push_back({horizontal(source.right), Side::right});
   }
 
+  Gate<RationalNumber> target_gate() const
+  {
+    auto const& t = sequence_.constructed_target;
+    return t ? Gate<RationalNumber>{horizontal(t->left), horizontal(t->right)} : exact_gate(sequence_.target);
+  }
   PlanOrder order_at_target(Edge const& edge) const
   {
-    return sequence_.constructed_target ? plan_order<Rational>(target_, exact_gate(edge))
-                                        : plan_order<A>(gate(sequence_.target), gate(edge));
+    auto const& t = sequence_.constructed_target;
+    if (!t) return plan_order<A>(gate(sequence_.target), gate(edge));
+    if constexpr (std::same_as<A, Rational>)
+      return plan_order<Rational>(target_gate(), exact_gate(edge));
+    else
+      return plan_order<FilteredRational>(
+        Gate<EnclosedRational>{{t->left.x, t->left.y}, {t->right.x, t->right.y}},
+        Gate<EnclosedRational>{{edge.left.x, edge.left.y}, {edge.right.x, edge.right.y}});
   }
+
+  static constexpr bool is_filtered = A::is_exact && !std::same_as<A, Rational>;
+  static constexpr int most_rectangles = 400;  // about what an exact decision costs
 
   template <class Accept>
   bool decide(std::size_t next, std::size_t condition, Accept const& accept);
+  bool exists() const
+  {
+    if constexpr (is_filtered)
+      if (auto const a = PortalSearch(sequence_).run(most_rectangles); a != PortalSearch::Answer::unknown)
+        return a == PortalSearch::Answer::line;
+    return PortalDecision<Number>(sequence_).exists();
+  }
+  template <class NT>
+  std::optional<typename PortalDecision<NT>::SightLine> find() const;
   template <class NT, class Accept>
   bool answer(Accept const& accept) const;
   template <class NT, class Accept>
@@ -125,7 +148,6 @@ private:
   }
 
   PortalSequence sequence_;
-  Gate<RationalNumber> target_;
   std::vector<Ambiguous> ambiguous_;
 };
 
@@ -150,7 +172,7 @@ bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept c
     sequence_.constructed_points.push_back({crossing, s});
     bool accepted = false;
     // Several edges through one funnel: most combinations of sides have no lines.
-    bool const is_empty = ambiguous_.size() > 1 && A::is_exact && !PortalDecision<Number>(sequence_).exists();
+    bool const is_empty = ambiguous_.size() > 1 && A::is_exact && !exists();
     if (is_empty)
       accepted = false;
     else if (is_before != before)
@@ -168,11 +190,27 @@ bool PortalQuestion<A>::decide(std::size_t next, std::size_t condition, Accept c
   return false;
 }
 
+/// A line of the sequence; `Filtered` tries intervals first.
+template <Arithmetic A>
+template <class NT>
+auto PortalQuestion<A>::find() const -> std::optional<typename PortalDecision<NT>::SightLine>
+{
+  if constexpr (is_filtered) {
+    PortalSearch search(sequence_);
+    switch (search.run(most_rectangles)) {
+    case PortalSearch::Answer::none: return std::nullopt;
+    case PortalSearch::Answer::line: return {{RationalNumber(search.source()), RationalNumber(search.target())}};
+    case PortalSearch::Answer::unknown: break;
+    }
+  }
+  return PortalDecision<NT>(sequence_).find();
+}
+
 template <Arithmetic A>
 template <class NT, class Accept>
 bool PortalQuestion<A>::answer(Accept const& accept) const
 {
-  auto const line = PortalDecision<NT>(sequence_).find();
+  auto const line = find<NT>();
   if (!line) return false;
   auto const& target = sequence_.constructed_target;
   return accept(between(exact(sequence_.source.left), exact(sequence_.source.right), line->source),

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/kernel/enclosed_rational.hpp"
 #include "visibility/line_space/plan_order.hpp"
 #include "visibility/methods/exact_25d/crossed_edge.hpp"
 #include "visibility/predicates/orient3d.hpp"
@@ -44,11 +45,13 @@ public:
   }
 
   /// The same with a point of the line in plan as target.
-  std::optional<CrossedEdge> first_blocker_before(Point3q const& p, Point3q const& q, Point3q const& end) const
+  template <class NT>
+  std::optional<CrossedEdge> first_blocker_before(Point3<NT> const& p, Point3<NT> const& q, Point3<NT> const& end) const
   {
+    using R = RationalNumber;
+    if (p.x == q.x && p.y == q.y) return {};  // rounded ends
     bool const along_x = p.x != q.x;
-    RationalNumber const last =
-      along_x ? RationalNumber((end.x - p.x) / (q.x - p.x)) : RationalNumber((end.y - p.y) / (q.y - p.y));
+    R const last = along_x ? R((R(end.x) - R(p.x)) / (R(q.x) - R(p.x))) : R((R(end.y) - R(p.y)) / (R(q.y) - R(p.y)));
     return highest(p, q, [&](std::uint32_t, PortalSequence::Edge const& f) { return position(p, q, f) < last; });
   }
 
@@ -66,7 +69,8 @@ public:
 private:
   using Edge = PortalSequence::Edge;
 
-  /// The parameter along p -> q at which it crosses the line of an edge in plan.
+  /// The parameter along p -> q at which it crosses the line of an edge in plan; 0 if it is parallel, with rounded
+  /// ends.
   template <class NT>
   static RationalNumber position(Point3<NT> const& p, Point3<NT> const& q, Edge const& e)
   {
@@ -75,15 +79,14 @@ private:
       return R(
         visibility::detail::Orient2dFormula{}(R(e.left.x), R(e.left.y), R(e.right.x), R(e.right.y), R(x.x), R(x.y)));
     };
-    R const at_p = side(p);
-    return R(at_p / (at_p - side(q)));
+    R const at_p = side(p), width = at_p - side(q);
+    return width == 0 ? R(0) : R(at_p / width);
   }
 
   template <class NT, class IsBefore>
   std::optional<CrossedEdge> highest(Point3<NT> const& p, Point3<NT> const& q, IsBefore const& is_before) const;
-  template <class Exactness, class NT, class IsBefore>
-  std::optional<CrossedEdge> stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q,
-                                   IsBefore const& is_before) const;
+  template <class Exactness, class NT>
+  std::optional<CrossedEdge> stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q) const;
 
   HeightField const& field_;
   ViewCell const& cell_;
@@ -91,9 +94,8 @@ private:
 };
 
 template <Arithmetic A>
-template <class Exactness, class NT, class IsBefore>
-std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q,
-                                               IsBefore const& is_before) const
+template <class Exactness, class NT>
+std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> const& p, Point3<NT> const& q) const
 {
   auto const& top = field_.edges()[edge];
   auto const a = visibility::detail::as<NT>(top.a), b = visibility::detail::as<NT>(top.b);
@@ -104,7 +106,6 @@ std::optional<CrossedEdge> SceneShot<A>::stops(std::uint32_t edge, Point3<NT> co
   auto const &left = from_left ? b : a, &right = from_left ? a : b;
   // Ahead of the eye: the eye lies behind the edge.
   if (!is_negative(orient2d<Exactness>(horizontal(left), horizontal(right), horizontal(p)))) return {};
-  if (!is_before(edge, portal(top, from_left))) return {};
   if (is_positive(orient3d<Exactness>(p, q, right, left))) return {};
   return CrossedEdge{edge, from_left};
 }
@@ -114,7 +115,12 @@ template <class NT, class IsBefore>
 std::optional<CrossedEdge> SceneShot<A>::highest(Point3<NT> const& p, Point3<NT> const& q,
                                                  IsBefore const& is_before) const
 {
-  using Exactness = std::conditional_t<std::same_as<NT, double>, A, Rational>;
+  // Rational ends are enclosed by doubles once; only the reference takes them as they are.
+  constexpr bool is_plain = std::same_as<NT, double> || std::same_as<A, Rational>;
+  using Exactness =
+    std::conditional_t<std::same_as<NT, double>, A, std::conditional_t<is_plain, Rational, FilteredRational>>;
+  using Coordinate = std::conditional_t<is_plain, NT, EnclosedRational>;
+  Point3<Coordinate> const eye{p.x, p.y, p.z}, end{q.x, q.y, q.z};
   Point3d const from = visibility::detail::rounded(p);
   EnclosingProbe const probe(p, q);
   std::optional<CrossedEdge> best;
@@ -123,12 +129,12 @@ std::optional<CrossedEdge> SceneShot<A>::highest(Point3<NT> const& p, Point3<NT>
     cell_.bounds(), [&](std::uint32_t, Box const& b) { return !probe.certainly_misses(b); },
     [&](std::uint32_t i) {
       if (std::ranges::binary_search(ignored_, i)) return;
-      auto const blocker = stops<Exactness>(i, p, q, is_before);
+      auto const blocker = stops<Exactness>(i, eye, end);
       if (!blocker) return;
       auto const& e = field_.edges()[i];
       double const x = (e.a.x + e.b.x) / 2 - from.x, y = (e.a.y + e.b.y) / 2 - from.y;
       double const slope = (std::max(e.a.z, e.b.z) - from.z) / std::hypot(x, y);
-      if (best && slope <= steepest) return;
+      if ((best && slope <= steepest) || !is_before(i, portal(e, blocker->from_left))) return;
       steepest = slope;
       best = blocker;
     });

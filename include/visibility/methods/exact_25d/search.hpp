@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <queue>
+#include <span>
 #include <stdexcept>
 #include <vector>
 
@@ -32,7 +33,7 @@ public:
   Search(HeightField const& field, ViewCell const& view, Options const& options, Occludees const* occludees = nullptr)
     : field_(field), view_(view), options_(options), occludees_(occludees), cell_(view), tree_(cell_),
       contacts_(cell_contacts(field, view, cell_)), shot_(field, view, contacts_.ignored_edges),
-      is_visible_(field.scene().objects.size()),
+      is_visible_(field.scene().objects.size()), has_stopped_(2 * field.edges().size()),
       middle_(middle_of(view)), near_middle_{CGAL::to_double(middle_.x), CGAL::to_double(middle_.y),
                                              CGAL::to_double(middle_.z)}
   {
@@ -47,7 +48,7 @@ public:
     traverse();
     if (occludees_ != nullptr) return look_for_occludees();
     if (options_.occlusion == Occlusion::exact) settle_open();
-    for (std::size_t i = 0; i < field_.seams().size(); ++i) settle(field_.seams()[i], field_.seam_bounds()[i]);
+    settle_seams();
   }
 
   /// By object of what is looked for.
@@ -60,9 +61,9 @@ public:
   /// The same of occludees.
   std::vector<Witness> const& occludee_witnesses() const { return occludee_witnesses_; }
 
-  /// To be called before run() if visible_edges() is to be called afterwards: of two edges in a leaf, the one in front
-  /// may be of no use behind the other one, but it is in between.
-  void keep_dominated() { keeps_dominated_ = true; }
+  /// To be called before run() if visible_edges() is to be called afterwards: every edge is inserted wherever it is not
+  /// hidden, and none is dropped for one behind it, as it is of use in between.
+  void keep_all() { keeps_all_ = true; }
   std::vector<VisibleEdge> visible_edges();
   CellOutline const& cell() const { return cell_; }
 
@@ -74,6 +75,13 @@ private:
   static constexpr int wedge_depth = 4;      // a choice
   static constexpr int most_retries = 1000;  // rounding may undo what a new blocker does; exact arithmetic has no need
 
+  /// Edges are inserted where they stop a line that is tried, and nowhere else: most hide nothing that others do not.
+  /// Otherwise, where lines are not tried or not held against the scene, wherever they are not hidden.
+  bool is_lazy() const
+  {
+    return options_.sampled_lines && options_.occlusion == Occlusion::exact && !(options_.occluder_shrink > 0) &&
+           !keeps_all_;
+  }
   void traverse();
   void process(std::uint32_t edge);
   void scan(CrossedEdge const& crossed);
@@ -82,9 +90,19 @@ private:
     for (std::size_t i = 0; i < open_.size(); ++i)
       if (!is_visible_[field_.object_of(field_.edges()[open_[i].edge])]) settle(open_[i]);
   }
+  /// Nearest groups of seams first; those that the tree hides are dropped.
+  void settle_seams()
+  {
+    Index open = Tree::none;
+    field_.seam_hierarchy().front_to_back(
+      view_.bounds(),
+      [&](std::uint32_t, Box const& b) { return !(options_.hierarchical_culling && is_hidden(b, open)); },
+      [&](std::uint32_t i) { settle(field_.seams()[i], field_.seam_bounds()[i]); });
+  }
   void settle(CrossedEdge const& crossed);
   void settle(Seam const& seam, Box const& bounds);
   void insert(CrossedEdge const& crossed);
+  void insert(Index leaf, CrossedEdge const& crossed);
   void insert_in_leaf(Index leaf, Edge const& whole, Funnel const& lines);
   Edge shrunk(Edge const& edge) const;
 
@@ -101,23 +119,32 @@ private:
     auto const [least, greatest] = std::minmax(target.left.z, target.right.z);
     return sources(leaf, least, greatest);
   }
+  /// Whether the tree hides all that a box may hold; `open` as in OcclusionTree::hides.
+  bool is_hidden(Box const& box, Index& open)
+  {
+    return tree_.hides(box, open, [&](Index leaf, Funnel const& lines, Edge const& screen) {
+      if (std::same_as<A, Rational>) return false;
+      return !is_ahead(leaf, screen) || is_hidden(leaf, lines, screen, {}, false);
+    });
+  }
   bool is_hidden(Index leaf, Funnel const& lines, Edge const& target, EdgeRange const& exposed, bool as_occluder);
   bool is_hidden(Index leaf, Funnel const& lines, SeamWedge const& part) const;
   bool is_hidden_from(Index leaf, Edge const& source, EdgeRange const& s, Edge const& target, EdgeRange const& t,
                       bool as_occluder) const;
   Find sample(Index leaf, Funnel const& lines, Target const& target);
   Find decide(Index leaf, Funnel const& lines, Target const& target);
-  Find decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column);
+  Find decide(Index leaf, Funnel const& lines, SeamPart const& part, std::uint32_t column, Edge const& gate);
   std::vector<PositionRange> visible_parts(CrossedEdge const& crossed);
-  PortalQuestion<A> question_in(Index leaf, PortalQuestion<A> question) const
+  /// With the edges of the leaf, but for one in the place of the target, which is not before it.
+  PortalQuestion<A> question_in(Index leaf, PortalQuestion<A> question, Edge const& target) const
   {
     auto const& l = tree_.leaf(leaf);
     for (auto const& f : l.blockers)
-      question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
+      if (!(f.edge == target)) question.add(f.edge, f.everywhere ? std::nullopt : std::optional(cell_.entry(l.entry)));
     return question;
   }
   template <class Answer>
-  Find ask(PortalQuestion<A> question, Index leaf, Answer const& answer);
+  Find ask(PortalQuestion<A> question, Index leaf, Edge const& target, Answer const& answer);
   template <class Shoot, class Found>
   Find confirm(Index leaf, Point3q const& start, Point3q const& end, Shoot const& shoot, Found const& found_from);
   template <class LineAt, class Shoot, class Found>
@@ -129,7 +156,8 @@ private:
   bool is_flush(SeamPart const& part) const;
   bool look_at(std::uint32_t piece, std::vector<ExposedLine> const& lines, bool decided);
   Find sample(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge);
-  Find decide(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge);
+  Find decide(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge,
+              Edge const& gate);
   bool found_occludee(std::uint32_t piece, Point3q const& from, Point3q const& to);
 
   static Point3q middle_of(ViewCell const& view)
@@ -168,10 +196,11 @@ private:
   SceneShot<A> shot_;
   std::vector<bool> is_visible_;
   std::vector<CrossedEdge> open_;  // neither hidden nor seen when their turn came
+  std::vector<bool> has_stopped_;  // crossed edges that stopped a line that was tried
   std::vector<FoundLine> lines_;
   std::vector<bool> is_found_;  // of occludees
   std::vector<Witness> occludee_witnesses_;
-  bool keeps_dominated_ = false;
+  bool keeps_all_ = false;
   Point3q middle_;  // in the interior of the cell
   Point3d near_middle_;
   Counts counts_;
@@ -186,26 +215,32 @@ void Search<A>::traverse()
   struct Entry {
     double distance;
     std::uint32_t node;
+    Index open;  // a leaf that does not hide the group it is part of
     bool operator<(Entry const& o) const { return distance > o.distance; }
   };
   std::priority_queue<Entry> queue;
-  queue.push({0, 0});
+  queue.push({0, 0, Tree::none});
   while (!queue.empty()) {
     auto const& node = hierarchy.nodes()[queue.top().node];
+    Index open = queue.top().open;
     queue.pop();
+    auto const items = std::span(hierarchy.items()).subspan(node.is_leaf() ? node.first : 0, node.count);
+    if (node.is_leaf() && is_lazy() &&
+        std::ranges::all_of(items, [&](std::uint32_t e) { return is_visible_[field_.object_of(field_.edges()[e])]; }))
+      continue;
     if (options_.hierarchical_culling) {
       ++counts_.nodes_tested;
-      if (tree_.hides(node.bounds)) {
+      if (is_hidden(node.bounds, open)) {
         ++counts_.nodes_hidden;
         continue;
       }
     }
     if (!node.is_leaf()) {
       for (std::uint32_t c : {node.first, node.first + 1})
-        queue.push({approximate_squared_distance(view_.bounds(), hierarchy.nodes()[c].bounds), c});
+        queue.push({approximate_squared_distance(view_.bounds(), hierarchy.nodes()[c].bounds), c, open});
       continue;
     }
-    for (auto i = node.first; i < node.first + node.count; ++i) process(hierarchy.items()[i]);
+    for (auto const edge : items) process(edge);
   }
 }
 
@@ -218,7 +253,7 @@ void Search<A>::process(std::uint32_t edge)
 }
 
 /// Looks at the edge in every leaf that does not hide it: as a target until its object is known to be visible, and as
-/// an occluder.
+/// an occluder unless that waits until it stops a line.
 template <Arithmetic A>
 void Search<A>::scan(CrossedEdge const& crossed)
 {
@@ -226,6 +261,8 @@ void Search<A>::scan(CrossedEdge const& crossed)
   Edge const edge = portal(e, crossed.from_left);
   Box const box = bounding_box(e);
   auto const object = field_.object_of(e);
+  // What was seen is asked for no more, and is inserted when it stops a line.
+  if (is_lazy() && is_visible_[object]) return;
   Target const target(field_, crossed);
   // What is buried in other columns is no use as an occluder: they are in the way already.
   if (target.is_covered()) return;
@@ -252,7 +289,7 @@ void Search<A>::scan(CrossedEdge const& crossed)
       if (find == Find::blocked) return A::is_exact || ++retries < most_retries;
       is_open |= find == Find::nothing;
     }
-    insert_in_leaf(leaf, edge, lines);
+    if (!is_lazy()) insert_in_leaf(leaf, edge, lines);
     return false;
   });
   if (is_open && !is_visible_[object]) open_.push_back(crossed);
@@ -288,7 +325,8 @@ template <Arithmetic A>
 void Search<A>::settle(Seam const& seam, Box const& bounds)
 {
   auto const& column = field_.columns()[seam.column];
-  if (is_visible_[column.object] || (options_.hierarchical_culling && tree_.hides(bounds))) return;
+  Index open = Tree::none;
+  if (is_visible_[column.object] || (options_.hierarchical_culling && is_hidden(bounds, open))) return;
   boost::container::small_vector<Edge, 4> gates;
   if (seam.is_crease()) {
     auto const corners = field_.corners(column);
@@ -311,7 +349,7 @@ void Search<A>::settle(Seam const& seam, Box const& bounds)
         ++counts_.decisions;
         Find const find = options_.occlusion == Occlusion::single_wedges
                             ? (is_visible_[column.object] = true, Find::visible)
-                            : decide(leaf, lines, part, seam.column);
+                            : decide(leaf, lines, part, seam.column, edge);
         if (find == Find::visible) ++counts_.decided_visible;
         return find == Find::blocked && (A::is_exact || ++retries < most_retries);
       });

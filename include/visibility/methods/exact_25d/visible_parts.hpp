@@ -38,7 +38,7 @@ Position position(QuadraticNumber<NT> const& x)
 
 }  // namespace detail
 
-/// Requires: run() was called on a search that keeps dominated edges. Then a line that passes above the edges of its
+/// Requires: run() was called on a search that keeps all edges. Then a line that passes above the edges of its
 /// leaf passes above all edges of the scene: what a leaf does not hold was hidden by what it holds.
 template <Arithmetic A>
 std::vector<VisibleEdge> Search<A>::visible_edges()
@@ -88,8 +88,9 @@ std::vector<PositionRange> Search<A>::visible_parts(CrossedEdge const& crossed)
         return false;
       };
       for (auto const& part : target.parts())
-        question_in(leaf, question.within(target.point(part.low), target.point(part.high))).any_target_part(append);
-      if (target.is_fully_exposed()) question_in(leaf, question).any_target_part(append);
+        question_in(leaf, question.within(target.point(part.low), target.point(part.high)), edge)
+          .any_target_part(append);
+      if (target.is_fully_exposed()) question_in(leaf, question, edge).any_target_part(append);
     }
     return false;
   });
