@@ -115,7 +115,7 @@ TEST_CASE("edges: over a column across the cell's side, which is before the eye 
   // so.
   Cell const high{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 3, 4};
   auto const scene = [](double top) {
-    return std::vector{box(0, 3, 0, 4, 1.2, 0), triangle(1, {2, -20, -18.525}, {2, 20, 21.475}, {1.9, 0, 1.475}),
+    return std::vector{box(0, 3, -29.4, 4, 30.6, 0), triangle(1, {2, -20, -18.525}, {2, 20, 21.475}, {1.9, 0, 1.475}),
                        triangle(2, {1.5, 0, top}, {0.5, 1, top}, {0.5, 0, top})};
   };
   CHECK_FALSE(sees(scene(3.99), 0, near_x, entering, Q(1) / 2, high));
