@@ -108,6 +108,20 @@ TEST_CASE("edges: covered by a neighbour", "[height_field][parts]")
   CHECK(quarters(roof(0.375), 0, far_x, leaving) == "vvv");
 }
 
+TEST_CASE("edges: over a column across the cell's side, which is before the eye for some directions only",
+          "[height_field][parts]")
+{
+  // Its side crosses x = 1 at y = 0.5. A slanted wall lets lines through that have y < 0.45 there, and no corner says
+  // so.
+  Cell const high{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 3, 4};
+  auto const scene = [](double top) {
+    return std::vector{box(0, 3, -29.4, 4, 30.6, 0), triangle(1, {2, -20, -18.525}, {2, 20, 21.475}, {1.9, 0, 1.475}),
+                       triangle(2, {1.5, 0, top}, {0.5, 1, top}, {0.5, 0, top})};
+  };
+  CHECK_FALSE(sees(scene(3.99), 0, near_x, entering, Q(1) / 2, high));
+  CHECK(sees(scene(3), 0, near_x, entering, Q(1) / 2, high));
+}
+
 TEST_CASE("edges: requirements", "[height_field][parts]")
 {
   CHECK_THROWS_AS(sees({house(0, 4, 3)}, 0, 0, entering, Q(0)), std::invalid_argument);
