@@ -96,7 +96,7 @@ bool Search<A>::look_at(std::uint32_t piece, std::vector<ExposedLine> const& lin
         if (options_.occlusion == Occlusion::single_wedges) {
           is_found_[object] = true;
         } else {
-          find = options_.sampled_lines ? sample(leaf, funnel, piece, line, wedge) : Find::nothing;
+          find = options_.sampled_lines ? sample(leaf, funnel, piece, line, wedge, edge) : Find::nothing;
           if (find == Find::visible) ++counts_.sampled_visible;
           if (find == Find::nothing && decided) {
             ++counts_.decisions;
@@ -115,9 +115,10 @@ bool Search<A>::look_at(std::uint32_t piece, std::vector<ExposedLine> const& lin
 /// Tries sight lines in floating point that pass close to the line and pierce the piece beside it.
 template <Arithmetic A>
 auto Search<A>::sample(Index leaf, Funnel const& funnel, std::uint32_t piece, ExposedLine const& line,
-                       SeamWedge const& wedge) -> Find
+                       SeamWedge const& wedge, Edge const& gate) -> Find
 {
   auto const corners = occludees_->corners(occludees_->pieces()[piece]);
+  bool const is_wall = occludees_->pieces()[piece].is_wall();
   Edge const target{visibility::detail::rounded(line.part.left), visibility::detail::rounded(line.part.right)};
   auto const& vertices = funnel.vertices();
   std::size_t const n = vertices.size();
@@ -152,7 +153,8 @@ auto Search<A>::sample(Index leaf, Funnel const& funnel, std::uint32_t piece, Ex
         Point3d const q = between(p, between(between(target.left, target.right, t), line.inside, step), 1 + step / 16);
         if (!in_interior(view_, p) || !pierces<A>(p, q, corners)) continue;
         ++counts_.shots;
-        auto const blocker = shot_.first_blocker(p, q);
+        // An edge in the plane of a wall is not before it, but before q.
+        auto const blocker = is_wall ? shot_.first_blocker(p, q, gate) : shot_.first_blocker(p, q);
         if (!blocker) {
           if (found_occludee(piece, exact(p), piercing_point(p, q, corners))) return Find::visible;
           continue;

@@ -31,14 +31,20 @@ public:
   template <class NT>
   std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q, CrossedEdge const& target) const
   {
-    auto const aim = portal(field_, target);
-    return highest(p, q, [&](std::uint32_t edge, PortalSequence::Edge const& f) {
-      if (edge == target.edge) return false;
-      switch (plan_order<A>(gate(aim), gate(f))) {
+    return first_blocker(p, q, portal(field_, target));
+  }
+
+  /// The same with any edge as target.
+  template <class NT>
+  std::optional<CrossedEdge> first_blocker(Point3<NT> const& p, Point3<NT> const& q,
+                                           PortalSequence::Edge const& target) const
+  {
+    return highest(p, q, [&](std::uint32_t, PortalSequence::Edge const& f) {
+      switch (plan_order<A>(gate(target), gate(f))) {
       case PlanOrder::before: return true;
       case PlanOrder::after:
       case PlanOrder::collinear: break;
-      case PlanOrder::crossing: return position(p, q, f) < position(p, q, aim);
+      case PlanOrder::crossing: return position(p, q, f) < position(p, q, target);
       }
       return false;
     });

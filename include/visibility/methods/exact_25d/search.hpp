@@ -155,7 +155,8 @@ private:
   bool is_over_cell(Box const& box) const;
   bool is_flush(SeamPart const& part) const;
   bool look_at(std::uint32_t piece, std::vector<ExposedLine> const& lines, bool decided);
-  Find sample(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge);
+  Find sample(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge,
+              Edge const& gate);
   Find decide(Index leaf, Funnel const& lines, std::uint32_t piece, ExposedLine const& line, SeamWedge const& wedge,
               Edge const& gate);
   bool found_occludee(std::uint32_t piece, Point3q const& from, Point3q const& to);
