@@ -36,6 +36,12 @@ public:
   enum class Answer : std::uint8_t { left, right, both, unknown };
   Answer side(Point2d const& point) const
   {
+    std::array<double, capacity> ignored;
+    return side(point, ignored);
+  }
+  /// The same; if the answer is `both`, `sides` have the sign of each line's.
+  Answer side(Point2d const& point, std::array<double, capacity>& sides) const
+  {
     if (std::same_as<A, Rational> || size_ > capacity) return Answer::unknown;
     double const x = point.x - origin_.x, y = point.y - origin_.y;
     double const size = size_bound_ * (extent_ + std::fabs(x) + std::fabs(y));
@@ -44,6 +50,7 @@ public:
     double least = HUGE_VAL, greatest = -HUGE_VAL, closest = HUGE_VAL;
     for (std::size_t i = 0; i < rows_; ++i) {
       double const s = a_[i] * x + b_[i] * y + c_[i];
+      sides[i] = s;
       least = s < least ? s : least;
       greatest = s > greatest ? s : greatest;
       double const distance = std::fabs(s);

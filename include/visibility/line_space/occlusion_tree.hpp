@@ -278,9 +278,13 @@ void OcclusionTree<A>::walk(PlanGate const& e, Box const& bounds, Visit&& visit)
       bool const right_open = !is_below_slope(nodes_[n.child + 1], reach);
       if (!left_open && !right_open) break;
       using Answer = typename LineBatch<A>::Answer;
-      Answer answer = batch.side(n.point);
+      std::array<double, LineBatch<A>::capacity> values;
+      Answer answer = batch.side(n.point, values);
       typename Funnel::Sides sides;
-      if (answer == Answer::unknown || (answer == Answer::both && left_open && right_open)) {
+      if (answer == Answer::both && left_open && right_open) {
+        for (std::size_t i = 0; i < part.lines.vertices().size(); ++i)
+          sides.push_back(values[i] > 0 ? Sign::positive : Sign::negative);
+      } else if (answer == Answer::unknown) {
         sides = part.lines.template sides_of<A>(n.point);
         bool const left = std::ranges::any_of(sides, [](Sign s) { return is_positive(s); });
         bool const right = std::ranges::any_of(sides, [](Sign s) { return is_negative(s); });

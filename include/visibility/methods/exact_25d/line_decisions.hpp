@@ -97,7 +97,7 @@ auto Search<A>::confirm(Index leaf, LineAt const& line_at, Shoot const& shoot, F
     Edge const edge = portal(field_, blocker);
     if (holds(leaf, edge)) return false;
     ++counts_.shots_blocked;
-    insert(blocker);
+    insert(leaf, blocker);
     return !tree_.is_leaf(leaf) || holds(leaf, edge);
   };
   RationalNumber step(0x1p-8);
