@@ -42,12 +42,12 @@ void stages(Report& report, Size size)
   auto& table = report.table("Table 3: what decides an edge in a leaf of line space, means per cell (paper | ours)",
                              {"scene", "perimeter", "height", "portal tests", "no portal decision, %",
                               "hidden by wedge, %", "seen by line, %", "decisions", "of these visible, %", "lines shot",
-                              "blocked, %", "groups tested", "hidden, %"});
+                              "blocked, %", "groups tested", "hidden, %", "time in decisions, %"});
   std::vector<std::vector<Value>> space{{"paper: Atlanta", "larger", 2.0, 2312.0, 1.54},
                                         {"paper: Atlanta", "smaller", 2.0, 565.0, 1.66}};
   for (auto const& p : published)
     table.add({"paper: " + to_string(p.scene), p.perimeter, p.height, p.tests, p.decided, Value(), Value(), Value(),
-               p.culls, Value(), Value(), Value(), Value()});
+               p.culls, Value(), Value(), Value(), Value(), p.time});
   for_each_model(size, table.notes, [&](Source const& source, Model const& m) {
     std::vector<std::pair<double, double>> shapes;
     for (auto const& p : published)
@@ -55,16 +55,22 @@ void stages(Report& report, Size size)
     if (source.counterpart == Paper::atlanta) shapes.emplace_back(17, 2);
     for (auto const& [perimeter, height] : shapes) {
       Sums sums;
+      double decision_seconds = 0, seconds = 0;
+      Options options;
+      options.decision_seconds = &decision_seconds;
+      Exact25d<> const timed(options);
       for (auto const& cell :
-           answered_cells(m, {perimeter, height, street_width(source.counterpart)}, full ? 6 : 2, table.notes))
+           answered_cells(m, {perimeter, height, street_width(source.counterpart)}, full ? 6 : 2, table.notes)) {
         sums.add(exact_set(*m.field, cell));
+        seconds += median_seconds<ProcessorClock>(1, 0, [&] { timed(*m.field, cell); });
+      }
       if (sums["runs"] == 0) continue;
       double const tests = sums["portal_tests"], decisions = sums["decisions"];
       table.add({m.name, perimeter, height, sums.mean("portal_tests"), percent(tests - decisions, tests),
                  percent(sums["wedge_hidden"], tests), percent(sums["sampled_visible"], tests), sums.mean("decisions"),
                  percent(sums["decided_visible"], decisions), sums.mean("shots"),
                  percent(sums["shots_blocked"], sums["shots"]), sums.mean("nodes_tested"),
-                 percent(sums["nodes_hidden"], sums["nodes_tested"])});
+                 percent(sums["nodes_hidden"], sums["nodes_tested"]), percent(decision_seconds, seconds)});
       space.push_back({m.name, perimeter, height, sums.mean("line_space_cells"), sums.mean("occluders_per_cell")});
     }
   });

@@ -94,6 +94,7 @@
 #include "visibility/methods/exact_25d/cell_contacts.hpp"
 #include "visibility/methods/exact_25d/counts.hpp"
 #include "visibility/methods/exact_25d/crossed_edge.hpp"
+#include "visibility/methods/exact_25d/decision_clock.hpp"
 #include "visibility/methods/exact_25d/explanation.hpp"
 #include "visibility/methods/exact_25d/explanation_file.hpp"
 #include "visibility/methods/exact_25d/insertion.hpp"

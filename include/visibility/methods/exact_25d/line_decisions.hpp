@@ -54,6 +54,7 @@ template <Arithmetic A>
 template <class Answer>
 auto Search<A>::ask(PortalQuestion<A> question, Index leaf, Edge const& target, Answer const& answer) -> Find
 {
+  DecisionClock const clock(options_.decision_seconds);
   Find find = Find::nothing;
   question_in(leaf, std::move(question), target).any_line([&](Point3q const& start, Point3q const& end) {
     find = answer(start, end);

@@ -3,6 +3,7 @@
 #include "visibility/line_space/occlusion_tree.hpp"
 #include "visibility/methods/exact_25d/cell_contacts.hpp"
 #include "visibility/methods/exact_25d/counts.hpp"
+#include "visibility/methods/exact_25d/decision_clock.hpp"
 #include "visibility/methods/exact_25d/explanation.hpp"
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/outline_ranges.hpp"
