@@ -107,6 +107,7 @@
 #include "visibility/methods/exact_25d/outline_ranges.hpp"
 #include "visibility/methods/exact_25d/pierced_piece.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
+#include "visibility/methods/exact_25d/sampled_positions.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
 #include "visibility/methods/exact_25d/seam_wedge.hpp"
 #include "visibility/methods/exact_25d/search.hpp"

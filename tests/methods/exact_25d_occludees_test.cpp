@@ -157,6 +157,22 @@ TEST_CASE("exact-2.5d: visible occludees do not depend on arithmetic or on how t
   });
 }
 
+TEST_CASE("exact-2.5d: simulated methods show more occludees, not fewer", "[methods][law]")
+{
+  for_cases(6, [&](HeightCase const& c, std::vector<oracle::Occludee> const& occludees, Random&) {
+    Scene const targets = scene_of(occludees);
+    Both const both(c.scene, targets);
+    auto const cell = ViewCell::hull(c.cell);
+    auto const expected = visible(both, cell);
+    Options shrunk, wedges;
+    shrunk.occluder_shrink = 0.05;
+    wedges.occlusion = exact_25d::Occlusion::single_wedges;
+    CHECK(std::ranges::includes(visible(both, cell, shrunk), expected));
+    CHECK(std::ranges::includes(visible(both, cell, wedges), expected));
+    CHECK(Exact25d<>(shrunk)(both.field, both.occludees, cell).guarantee == Guarantee::none);
+  });
+}
+
 TEST_CASE("exact-2.5d: occludees, by hand", "[methods][degenerate]")
 {
   ViewCell const cell(box(-1, -1, 0, 1, 1, 2));

@@ -31,6 +31,17 @@ void Search<A>::insert(Index leaf, CrossedEdge const& crossed)
     insert_in_leaf(leaf, edge, lines);
 }
 
+/// Inserts an edge that stops a line of the leaf, unless the leaf holds it; whether that changed the leaf.
+template <Arithmetic A>
+bool Search<A>::brings_in(Index leaf, CrossedEdge const& blocker)
+{
+  Edge const edge = portal(field_, blocker);
+  if (holds(leaf, edge)) return false;
+  ++counts_.shots_blocked;
+  insert(leaf, blocker);
+  return !tree_.is_leaf(leaf) || holds(leaf, edge);
+}
+
 /// The edge shortened at both ends, rounded; degenerate where nothing is left.
 template <Arithmetic A>
 auto Search<A>::shrunk(Edge const& edge) const -> Edge

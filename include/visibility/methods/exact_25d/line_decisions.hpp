@@ -94,13 +94,6 @@ template <class LineAt, class Shoot, class Found>
 auto Search<A>::confirm(Index leaf, LineAt const& line_at, Shoot const& shoot, Found const& found) -> Find
 {
   bool const is_faithful = A::is_exact && options_.occluder_shrink == 0;
-  auto const inserts = [&](CrossedEdge const& blocker) {
-    Edge const edge = portal(field_, blocker);
-    if (holds(leaf, edge)) return false;
-    ++counts_.shots_blocked;
-    insert(leaf, blocker);
-    return !tree_.is_leaf(leaf) || holds(leaf, edge);
-  };
   RationalNumber step(0x1p-8);
   for (int i = 0; i < 12; ++i, step = step * step) {
     auto const [p, q] = line_at(step);
@@ -109,12 +102,12 @@ auto Search<A>::confirm(Index leaf, LineAt const& line_at, Shoot const& shoot, F
     // Most lines are stopped, and an edge that stops a rounded one is as good.
     if (i == 0 && !std::same_as<A, Rational>) {
       auto const blocker = shoot(visibility::detail::rounded(p), visibility::detail::rounded(q));
-      if (blocker && inserts(*blocker)) return Find::blocked;
+      if (blocker && brings_in(leaf, *blocker)) return Find::blocked;
     }
     auto const blocker = shoot(p, q);
     if (!blocker) {
       if (found(p, q)) return Find::visible;
-    } else if (inserts(*blocker)) {
+    } else if (brings_in(leaf, *blocker)) {
       return Find::blocked;
     }
   }

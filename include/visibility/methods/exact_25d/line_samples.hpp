@@ -11,36 +11,16 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
 {
   Edge const& target = whole.edge();
   CrossedEdge const& crossed = whole.crossed();
-  auto const& vertices = lines.vertices();
-  std::size_t const n = vertices.size();
-  // The lines as homogeneous vectors of equal size, by the sides of the four ends.
-  struct Sides {
-    double source_left, source_right, target_left, target_right;
-  };
   auto const from = sources(leaf, target);
   std::size_t const outer = from.size() - 2 * cell_.inner.size();
   for (std::size_t k = 0; k < outer; ++k) {
     Edge const source = from[k];
-    boost::container::small_vector<Sides, 8> sides;
-    for (auto const& v : vertices) {
-      double const dx = v.q.x - v.p.x, dy = v.q.y - v.p.y, size = std::hypot(dx, dy);
-      auto const side = [&](Point3d const& x) { return (dx * (x.y - v.p.y) - dy * (x.x - v.p.x)) / size; };
-      sides.push_back({side(source.left), side(source.right), side(target.left), side(target.right)});
-    }
     boost::container::small_vector<PenumbraWedge<A>, 4> wedges;
     for (auto const& f : tree_.leaf(leaf).blockers)
       if (plan_order<A>(gate(target), gate(f.edge)) == PlanOrder::before) wedges.emplace_back(source, target, f.edge);
-    for (std::size_t j = 0; j <= n; ++j) {
-      Sides sum{0, 0, 0, 0};
-      for (std::size_t i = 0; i < n; ++i) {
-        double const w = (i + 1 == j ? 8.0 : 1.0) + 0.1 * static_cast<double>(i);
-        sum = {sum.source_left + w * sides[i].source_left, sum.source_right + w * sides[i].source_right,
-               sum.target_left + w * sides[i].target_left, sum.target_right + w * sides[i].target_right};
-      }
-      double const s = sum.source_left / (sum.source_left - sum.source_right);
-      double const t = sum.target_left / (sum.target_left - sum.target_right);
-      if (!(s > 0 && s < 1 && whole.may_be_exposed(t))) continue;
-      if (std::ranges::any_of(wedges, [&](auto const& w) { return !(w.at(s, t) > 0); })) continue;
+    for (auto const& [s, t] : sampled_positions(lines, source, target)) {
+      if (!whole.may_be_exposed(t)) continue;
+      if (std::ranges::any_of(wedges, [s = s, t = t](auto const& w) { return !(w.at(s, t) > 0); })) continue;
       for (double const step : {0x1p-20, 0x1p-30}) {
         Point3d const p = between(between(source.left, source.right, s), near_middle_, step);
         Point3d q = between(target.left, target.right, t);
@@ -61,11 +41,8 @@ auto Search<A>::sample(Index leaf, Funnel const& lines, Target const& whole) -> 
           found(crossed, exact(p), options_.witnesses ? whole.crossing(p, q) : exact(p));
           return Find::visible;
         }
-        Edge const edge = portal(field_, *blocker);
-        if (holds(leaf, edge)) continue;  // too far below the top: closer
-        ++counts_.shots_blocked;
-        insert(leaf, *blocker);
-        if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
+        // Otherwise it is too far below the top: closer.
+        if (brings_in(leaf, *blocker)) return Find::blocked;
       }
     }
   }

@@ -120,50 +120,30 @@ auto Search<A>::sample(Index leaf, Funnel const& funnel, std::uint32_t piece, Ex
   auto const corners = occludees_->corners(occludees_->pieces()[piece]);
   bool const is_wall = occludees_->pieces()[piece].is_wall();
   Edge const target{visibility::detail::rounded(line.part.left), visibility::detail::rounded(line.part.right)};
-  auto const& vertices = funnel.vertices();
-  std::size_t const n = vertices.size();
   auto const from = sources(leaf, wedge.least_height(), wedge.greatest_height());
   for (std::size_t k = 0; k < from.size() - 2 * cell_.inner.size(); ++k) {
     Edge const& source = from[k];
-    struct Sides {
-      double source_left, source_right, target_left, target_right;
-    };
-    boost::container::small_vector<Sides, 8> sides;
-    for (auto const& v : vertices) {
-      double const dx = v.q.x - v.p.x, dy = v.q.y - v.p.y, size = std::hypot(dx, dy);
-      auto const side = [&](Point3d const& x) { return (dx * (x.y - v.p.y) - dy * (x.x - v.p.x)) / size; };
-      sides.push_back({side(source.left), side(source.right), side(target.left), side(target.right)});
-    }
     boost::container::small_vector<WedgeVolumes, 4> wedges;
     for (auto const& f : tree_.leaf(leaf).blockers)
       if (wedge.is_ahead_of(f.edge)) wedges.push_back(wedge.wedge(source, f.edge));
-    for (std::size_t j = 0; j <= n; ++j) {
-      Sides sum{0, 0, 0, 0};
-      for (std::size_t i = 0; i < n; ++i) {
-        double const w = (i + 1 == j ? 8.0 : 1.0) + 0.1 * static_cast<double>(i);
-        sum = {sum.source_left + w * sides[i].source_left, sum.source_right + w * sides[i].source_right,
-               sum.target_left + w * sides[i].target_left, sum.target_right + w * sides[i].target_right};
-      }
-      double const s = sum.source_left / (sum.source_left - sum.source_right);
-      double const t = sum.target_left / (sum.target_left - sum.target_right);
-      if (!(s > 0 && s < 1 && t > 0 && t < 1)) continue;
-      if (std::ranges::any_of(wedges, [&](auto const& w) { return !(w.at(s, t) > 0); })) continue;
+    for (auto const& [s, t] : sampled_positions(funnel, source, target)) {
+      if (!(t > 0 && t < 1)) continue;
+      if (std::ranges::any_of(wedges, [s = s, t = t](auto const& w) { return !(w.at(s, t) > 0); })) continue;
       for (double const step : {0x1p-14, 0x1p-24}) {
         Point3d const p = between(between(source.left, source.right, s), near_middle_, step);
         Point3d const q = between(p, between(between(target.left, target.right, t), line.inside, step), 1 + step / 16);
         if (!in_interior(view_, p) || !pierces<A>(p, q, corners)) continue;
-        ++counts_.shots;
+        bool const is_held_against_scene = !(options_.occluder_shrink > 0);
+        counts_.shots += is_held_against_scene;
         // An edge in the plane of a wall is not before it, but before q.
-        auto const blocker = is_wall ? shot_.first_blocker(p, q, gate) : shot_.first_blocker(p, q);
+        auto const blocker = !is_held_against_scene ? std::nullopt
+                             : is_wall              ? shot_.first_blocker(p, q, gate)
+                                                    : shot_.first_blocker(p, q);
         if (!blocker) {
           if (found_occludee(piece, exact(p), piercing_point(p, q, corners))) return Find::visible;
-          continue;
+        } else if (brings_in(leaf, *blocker)) {
+          return Find::blocked;
         }
-        Edge const edge = portal(field_, *blocker);
-        if (holds(leaf, edge)) continue;
-        ++counts_.shots_blocked;
-        insert(leaf, *blocker);
-        if (!tree_.is_leaf(leaf) || holds(leaf, edge)) return Find::blocked;
       }
     }
   }

@@ -8,6 +8,7 @@
 #include "visibility/methods/exact_25d/options.hpp"
 #include "visibility/methods/exact_25d/outline_ranges.hpp"
 #include "visibility/methods/exact_25d/portal_question.hpp"
+#include "visibility/methods/exact_25d/sampled_positions.hpp"
 #include "visibility/methods/exact_25d/scene_shot.hpp"
 #include "visibility/methods/exact_25d/seam_wedge.hpp"
 #include "visibility/methods/exact_25d/sight_line.hpp"
@@ -104,6 +105,7 @@ private:
   void settle(Seam const& seam, Box const& bounds);
   void insert(CrossedEdge const& crossed);
   void insert(Index leaf, CrossedEdge const& crossed);
+  bool brings_in(Index leaf, CrossedEdge const& blocker);
   void insert_in_leaf(Index leaf, Edge const& whole, Funnel const& lines);
   Edge shrunk(Edge const& edge) const;
 
