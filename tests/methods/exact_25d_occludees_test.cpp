@@ -181,47 +181,44 @@ TEST_CASE("exact-2.5d: occludees, by hand", "[methods][degenerate]")
     return !visible(Both(hiding, looked_for), cell).empty();
   };
   Box const wall = box(5, -20, 0, 6, 20, 10);
-  SECTION("behind a wall; higher than it; beside it") {
+  SECTION("behind a wall; higher than it; beside it")
+  {
     CHECK(!sees({wall}, box(8, -1, 0, 9, 1, 8)));
     CHECK(sees({wall}, box(8, -1, 0, 9, 1, 30)));
     CHECK(sees({wall}, box(8, 30, 0, 9, 31, 1)));
   }
-  SECTION("a box that floats above the wall is seen, one inside the wall is not") {
+  SECTION("a box that floats above the wall is seen, one inside the wall is not")
+  {
     CHECK(sees({wall}, box(5, -1, 12, 6, 1, 13)));
     CHECK(!sees({wall}, box(5.25, -1, 2, 5.75, 1, 3)));
   }
-  SECTION("a box flush with the wall's near face shows it, one flush with the far face does not") {
+  SECTION("a box flush with the wall's near face shows it, one flush with the far face does not")
+  {
     CHECK(sees({wall}, box(5, -1, 2, 5.5, 1, 3)));
     CHECK(!sees({wall}, box(5.5, -1, 2, 6, 1, 3)));
   }
-  SECTION("occludees do not hide each other, nor the ground under a tower") {
+  SECTION("occludees do not hide each other, nor the ground under a tower")
+  {
     Scene const hiding = boxes({wall}), looked_for = boxes({box(2, -20, 0, 3, 20, 10), box(4, -1, 0, 4.5, 1, 1)});
     CHECK(visible(Both(hiding, looked_for), cell) == Indices{0, 1});
   }
-  SECTION("a plate under the cell is seen unless a column covers it there") {
+  SECTION("a plate under the cell is seen unless a column covers it there")
+  {
     CHECK(sees({box(50, 50, -5, 51, 51, -4)}, box(-3, -3, -2, 3, 3, -2)));
     CHECK(!sees({box(-4, -4, -5, 4, 4, -1)}, box(-3, -3, -2, 3, 3, -2)));
     CHECK(sees({box(-4, -4, -5, 4, 0.5, -1)}, box(-3, -3, -2, 3, 3, -2)));
   }
-  SECTION("a long slope is seen only before the tower that stands on it") {
+  SECTION("a long slope is seen only before the tower that stands on it")
+  {
     Scene const hiding = boxes({box(3, -9, 0, 3.5, 9, 2.5), box(6, -9, 0, 30, 9, 20)});
     SceneBuilder builder("slope");
     builder.begin_object("slope");
-    builder.add_triangle(builder.add_vertex({4, -1, 0}), builder.add_vertex({4, 1, 0}), builder.add_vertex({12, 0, 16}));
+    builder.add_triangle(builder.add_vertex({4, -1, 0}), builder.add_vertex({4, 1, 0}),
+                         builder.add_vertex({12, 0, 16}));
     Scene const slope = builder.finish();
     CHECK(visible(Both(hiding, slope), cell) == Indices{0});
     // The same with the tower right behind the wall.
     Scene const close = boxes({box(3, -9, 0, 3.5, 9, 2.5), box(4, -9, 0, 30, 9, 20)});
     CHECK(visible(Both(close, slope), cell).empty());
   }
-}
-
-TEST_CASE("occludees: balls are refused", "[scene][input]")
-{
-  SceneBuilder builder("ball");
-  builder.begin_object("ball");
-  builder.add(Ball{{0, 0, 0}, 1});
-  Scene const scene = builder.finish();
-  PreparedScene const prepared(scene);
-  CHECK_THROWS_AS(Occludees(prepared), BadInput);
 }
