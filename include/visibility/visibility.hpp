@@ -137,7 +137,6 @@
 
 #include "visibility/evidence/check.hpp"
 #include "visibility/evidence/compare.hpp"
-#include "visibility/evidence/coordinate.hpp"
 #include "visibility/evidence/face.hpp"
 #include "visibility/evidence/ray_scene.hpp"
 #include "visibility/evidence/sight_line.hpp"

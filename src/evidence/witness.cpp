@@ -11,7 +11,7 @@ namespace {
 bool is_free(PreparedScene const& scene, Point3d const& from, FacePoint const& to)
 {
   if (!to.exact) return from != to.rounded && !blocker<Filtered>(scene, from, to.rounded);
-  Point3<Coordinate> const p = coordinates(from), q = coordinates(*to.exact);
+  Point3<EnclosedRational> const p = enclosed(from), q = enclosed(*to.exact);
   return p != q && !blocker<FilteredRational>(scene, p, q);
 }
 

@@ -102,7 +102,7 @@ TEST_CASE("sight line: filtered, filtered rational and rational arithmetic agree
       bool const reference = blocker<Rational>(*s.prepared, pq, qq).has_value();
       blocked += reference;
       CHECK(blocker<Filtered>(*s.prepared, p, q).has_value() == reference);
-      CHECK(blocker<FilteredRational>(*s.prepared, coordinates(pq), coordinates(qq)).has_value() == reference);
+      CHECK(blocker<FilteredRational>(*s.prepared, enclosed(pq), enclosed(qq)).has_value() == reference);
     }
   }
   CHECK(blocked > 200);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visibility/evidence/coordinate.hpp"
+#include "visibility/kernel/enclosed_rational.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 
 namespace visibility {
@@ -9,9 +9,9 @@ namespace detail {
 
 inline EnclosingProbe enclosing_probe(Point3d const& p, Point3d const& q) { return {p, q}; }
 inline EnclosingProbe enclosing_probe(Point3q const& p, Point3q const& q) { return {p, q}; }
-inline EnclosingProbe enclosing_probe(Point3<Coordinate> const& p, Point3<Coordinate> const& q)
+inline EnclosingProbe enclosing_probe(Point3<EnclosedRational> const& p, Point3<EnclosedRational> const& q)
 {
-  auto const below = [](Point3<Coordinate> const& r) { return Point3d{r.x.below(), r.y.below(), r.z.below()}; };
+  auto const below = [](Point3<EnclosedRational> const& r) { return Point3d{r.x.low(), r.y.low(), r.z.low()}; };
   return EnclosingProbe::around(below(p), below(q));
 }
 

@@ -3,13 +3,15 @@
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/kernel/layers.hpp"
 #include "visibility/kernel/number_types.hpp"
+#include "visibility/kernel/point.hpp"
 
+#include <compare>
 #include <string_view>
 
 namespace visibility {
 
-/// A rational number, or a double, between two doubles: what `FilteredRational` computes with first.
-/// Keeps a reference to a rational number, which must outlive it.
+/// A rational number, or a double, between two doubles: what `FilteredRational` computes with first. Cheap to copy; keeps
+/// a reference to a rational number, which must outlive it. Comparisons are exact.
 class EnclosedRational {
 public:
   EnclosedRational(double x) : low_(x), high_(x) {}
@@ -23,16 +25,28 @@ public:
   double low() const { return low_; }
   double high() const { return high_; }
   RationalNumber exact() const { return number_ != nullptr ? *number_ : RationalNumber(low_); }
+  friend std::strong_ordering operator<=>(EnclosedRational const& a, EnclosedRational const& b)
+  {
+    if (a.high_ < b.low_) return std::strong_ordering::less;
+    if (a.low_ > b.high_) return std::strong_ordering::greater;
+    if (a.low_ == b.low_ && a.high_ == b.high_ && (a.low_ == a.high_ || a.number_ == b.number_))
+      return std::strong_ordering::equal;
+    RationalNumber const x = a.exact(), y = b.exact();
+    return x < y ? std::strong_ordering::less : y < x ? std::strong_ordering::greater : std::strong_ordering::equal;
+  }
   friend bool operator==(EnclosedRational const& a, EnclosedRational const& b)
   {
-    if (a.low_ != b.low_ || a.high_ != b.high_) return false;
-    return a.low_ == a.high_ || a.number_ == b.number_ || a.exact() == b.exact();
+    return (a <=> b) == std::strong_ordering::equal;
   }
 
 private:
   double low_, high_;
   RationalNumber const* number_ = nullptr;
 };
+
+/// A point that outlives its coordinates.
+inline Point3<EnclosedRational> enclosed(Point3q const& p) { return {p.x, p.y, p.z}; }
+inline Point3<EnclosedRational> enclosed(Point3d const& p) { return {p.x, p.y, p.z}; }
 
 /// Signs for coordinates that are rationals or doubles: intervals first, then rational numbers. Exact.
 struct FilteredRational {
