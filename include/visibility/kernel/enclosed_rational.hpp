@@ -10,8 +10,8 @@
 
 namespace visibility {
 
-/// A rational number, or a double, between two doubles: what `FilteredRational` computes with first. Cheap to copy; keeps
-/// a reference to a rational number, which must outlive it. Comparisons are exact.
+/// A rational number, or a double, between two doubles: what `FilteredRational` computes with first. Cheap to copy;
+/// keeps a reference to a rational number, which must outlive it. Comparisons are exact.
 class EnclosedRational {
 public:
   EnclosedRational(double x) : low_(x), high_(x) {}
