@@ -1,0 +1,151 @@
+#include "visibility/methods/extended_projection/projection_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
+
+namespace visibility::extended_projection {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+struct Range {
+  double low = inf, high = -inf;
+  void add(double x)
+  {
+    low = x < low ? x : low;
+    high = x > high ? x : high;
+  }
+};
+
+/// The range of views of an interval of a coordinate from the points of a profile, and a bound of all errors. The view
+/// is monotone in the point and in the eye, so ends suffice (proofs/extended_projection.md, "Occludees").
+struct ViewRange {
+  double low = inf, high = -inf, error = 0;
+};
+
+ViewRange view_range(std::vector<Point2d> const& profile, double low, double high, double w0, double w1, double plane)
+{
+  Range range;
+  double size = 0;
+  for (auto const& c : profile)
+    for (double const w : {w0, w1}) {
+      double const ratio = (plane - c.y) / (w - c.y);
+      if (!in_domain(ratio)) return {-inf, inf, 0};
+      double const a = (low - c.x) * ratio, b = (high - c.x) * ratio;
+      range.add(c.x + a);
+      range.add(c.x + b);
+      size = std::max({size, std::fabs(a), std::fabs(b), std::fabs(c.x)});
+    }
+  return {range.low, range.high, 10 * 0x1p-53 * size + 0x1p-1000};
+}
+
+/// A coordinate in pixels, moved by the bound of its error times `side`; in the raster its own rounding is below 2^-39.
+double in_pixels(Bounded const& x, double side, double origin, double step)
+{
+  double const error = x.error * (1 + 0x1p-40) + 4 * 0x1p-53 * std::fabs(x.value);
+  return (x.value + side * error - origin) / step;
+}
+
+}  // namespace
+
+ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& grid)
+  : ProjectionMap(cell, plane, grid, DepthMap<float>(grid.width(), grid.height()))
+{
+}
+
+ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& grid, DepthMap<float> depths)
+  : cell_(&cell), plane_(plane), map_(std::move(depths)), region_(grid)
+{
+}
+
+std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
+{
+  if (part.size() < 3) return 0;
+  // Look at it from each vertex, and see whether all views can have a pixel in common: a choice.
+  std::size_t const n = part.size();
+  views_.clear();
+  errors_.clear();
+  Range common_u{-inf, inf}, common_v{-inf, inf};
+  for (auto const& c : cell_->vertices) {
+    Range range_u, range_v;
+    Point2d error{0, 0};
+    for (auto const& p : part) {
+      double const ratio = (plane_ - c.z) / (p.at.z - c.z);
+      if (!in_domain(ratio)) return 0;
+      auto const u = view(c.x, p.at.x, p.error, ratio), v = view(c.y, p.at.y, p.error, ratio);
+      views_.push_back({u.value, v.value});
+      error = {std::max(error.x, u.error), std::max(error.y, v.error)};
+      range_u.add(u.value);
+      range_v.add(v.value);
+    }
+    errors_.push_back(error);
+    common_u = {std::max(common_u.low, range_u.low), std::min(common_u.high, range_u.high)};
+    common_v = {std::max(common_v.low, range_v.low), std::min(common_v.high, range_v.high)};
+  }
+  Grid const& g = grid();
+  if (!(std::min(common_u.high, g.column_line(g.width())) - std::max(common_u.low, g.origin().x) >= g.step().x &&
+        std::min(common_v.high, g.row_line(g.height())) - std::max(common_v.low, g.origin().y) >= g.step().y))
+    return 0;
+
+  region_.reset();
+  for (std::size_t i = 0; i < errors_.size() && !region_.bounds().is_empty(); ++i)
+    region_.keep(Outline{std::span(views_).subspan(i * n, n), errors_[i]}, Cover::inside);
+  region_.spans(spans_);
+  add(spans_, deepest(part));
+  return pixel_count(spans_);
+}
+
+void ProjectionMap::add(Spans const& spans, double depth)
+{
+  // The difference is rounded, which keeps the order of depths; equal ones may become of different ones, which is safe.
+  map_.write(spans, PixelDepth::above(grid(), {.value = depth - cell_->near}));
+}
+
+bool ProjectionMap::hides(Box const& b) const
+{
+  if (!(b.min.z > cell_->near)) return false;
+  auto const u = view_range(cell_->profile_u, b.min.x, b.max.x, b.min.z, b.max.z, plane_);
+  auto const v = view_range(cell_->profile_v, b.min.y, b.max.y, b.min.z, b.max.z, plane_);
+  return hides({u.low, u.error}, {u.high, u.error}, {v.low, v.error}, {v.high, v.error}, b.min.z);
+}
+
+bool ProjectionMap::hides_improved(Box const& b) const
+{
+  if (!(b.min.z > cell_->near) || b.max.z > plane_) return false;
+  double const far_ratio = (plane_ - cell_->near) / (b.max.z - cell_->near),
+               near_ratio = (plane_ - cell_->near) / (b.min.z - cell_->near);
+  if (!in_domain(far_ratio) || !in_domain(near_ratio)) return false;
+  // Supporting lines of the cell's side and the box: from low end to low end, from high end to high end.
+  auto const segment = [&](double cell_low, double cell_high, double low, double high) {
+    auto const a = view(cell_low, low, 0, near_ratio), b2 = view(cell_low, low, 0, far_ratio);
+    auto const c = view(cell_high, high, 0, near_ratio), d = view(cell_high, high, 0, far_ratio);
+    double const error = std::max({a.error, b2.error, c.error, d.error});
+    std::pair<Bounded, Bounded> ends{{std::min(a.value, b2.value), error}, {std::max(c.value, d.value), error}};
+    if (ends.first.value > ends.second.value) {  // beyond the vanishing point: any point between them
+      double const middle = ends.second.value + (ends.first.value - ends.second.value) / 2;
+      ends = {{middle, error}, {middle, error}};
+    }
+    return ends;
+  };
+  auto const [u0, u1] = segment(cell_->bounds.min.x, cell_->bounds.max.x, b.min.x, b.max.x);
+  auto const [v0, v1] = segment(cell_->bounds.min.y, cell_->bounds.max.y, b.min.y, b.max.y);
+  return hides(u0, u1, v0, v1, b.min.z);
+}
+
+bool ProjectionMap::hides(Bounded const& u0, Bounded const& u1, Bounded const& v0, Bounded const& v1, double w) const
+{
+  Grid const& g = grid();
+  double const low_u = in_pixels(u0, -1, g.origin().x, g.step().x), high_u = in_pixels(u1, 1, g.origin().x, g.step().x),
+               low_v = in_pixels(v0, -1, g.origin().y, g.step().y), high_v = in_pixels(v1, 1, g.origin().y, g.step().y);
+  constexpr double margin = 0x1p-10;  // of a pixel, for the roundings of in_pixels
+  if (!(low_u >= margin && low_v >= margin && high_u <= g.width() - margin && high_v <= g.height() - margin))
+    return false;
+  PixelRectangle const pixels{static_cast<int>(low_u - margin), static_cast<int>(low_v - margin),
+                              static_cast<int>(high_u + margin) + 1, static_cast<int>(high_v + margin) + 1};
+  return map_.hidden(pixels, -round_up<float>(-(w - cell_->near)));
+}
+
+}  // namespace visibility::extended_projection
