@@ -16,11 +16,15 @@ using namespace extended_projection;
 /// How many occluders are added to the maps before their pyramids are brought up to date.
 constexpr int refresh_after = 32;
 
+/// Occluders that are seen smaller than this do not come in later.
+constexpr double fewest_pixels = 16;
+
 /// The maps of one cell, filled from occluders of the largest solid angle first.
 class Maps {
 public:
   Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options)
-    : scene_(scene), projector_(scene, cell), added_(scene.occluders().size())
+    : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell),
+      added_(scene.occluders().size())
   {
     cells_.reserve(frames.size());
     for (auto const& f : frames) cells_.emplace_back(f, cell);
@@ -36,7 +40,9 @@ public:
   {
     auto const first = scene_.occluders().first_of_object();
     for (auto i = first[object]; i < first[object + 1]; ++i)
-      if (!added_[i] && projector_.blocks(i)) add(i);
+      if (!added_[i] && approximate_pixels(scene_.occluders().bounds()[i], cell_, resolution_) >= fewest_pixels &&
+          is_useful(scene_, cell_, i))
+        add(i);
   }
   void refresh()
   {
@@ -75,6 +81,8 @@ private:
   }
 
   PreparedScene const& scene_;
+  ViewCell const& cell_;
+  int resolution_;
   OccluderProjector projector_;
   std::vector<CellViews> cells_;
   std::vector<ProjectionMap> maps_;

@@ -57,12 +57,6 @@ OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const&
   deep_ = ground_ - depth_below * (std::max(all.max.z, cell.bounds().max.z) - ground_);
 }
 
-bool OccluderProjector::blocks(std::uint32_t i) const
-{
-  auto const& occluders = scene_->occluders();
-  return occluders.blocks_from(*cell_, i, scene_->object_bounds()[occluders.object(i)]);
-}
-
 void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
 {
   vertices_.clear();

@@ -21,15 +21,35 @@ double importance(Box const& b, Box const& eye)
   return (x * y + y * z + z * x) / std::max(approximate_squared_distance(b, eye), 1e-300);
 }
 
+Box middle_of(ViewCell const& cell)
+{
+  Point3d const middle = between(cell.bounds().min, cell.bounds().max, 0.5);
+  return {middle, middle};
+}
+
 }  // namespace
+
+double approximate_pixels(Box const& box, ViewCell const& cell, int resolution)
+{
+  return importance(box, middle_of(cell)) * (resolution / 3.0) * (resolution / 3.0);
+}
+
+bool is_useful(PreparedScene const& scene, ViewCell const& cell, std::uint32_t i)
+{
+  auto const& occluders = scene.occluders();
+  auto const object = occluders.object(i);
+  if (!occluders.blocks_from(cell, i, scene.object_bounds()[object])) return false;
+  if (!occluders.is_body(i) || scene.bodies().bodies()[occluders.body(i)].kind != ConvexBodies::Kind::triangle)
+    return true;
+  // Inner bodies come last, and are larger.
+  auto const last = occluders.first_of_object()[object + 1] - 1;
+  return occluders.is_body(last) || !occluders.blocks_from(cell, last, scene.object_bounds()[object]);
+}
 
 std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell const& cell, std::size_t count)
 {
   auto const& hierarchy = scene.occluder_hierarchy();
-  auto const& occluders = scene.occluders();
-  Box const& c = cell.bounds();
-  Point3d const middle = between(c.min, c.max, 0.5);
-  Box const eye{middle, middle};
+  Box const eye = middle_of(cell);
   std::vector<std::uint32_t> out;
   std::priority_queue<Entry> queue;
   queue.push({HUGE_VAL, 0, false});
@@ -37,8 +57,7 @@ std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell
     Entry const top = queue.top();
     queue.pop();
     if (top.is_item) {
-      if (occluders.blocks_from(cell, top.index, scene.object_bounds()[occluders.object(top.index)]))
-        out.push_back(top.index);
+      if (is_useful(scene, cell, top.index)) out.push_back(top.index);
       continue;
     }
     auto const& node = hierarchy.nodes()[top.index];

@@ -9,6 +9,7 @@ namespace visibility::extended_projection {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nearest_ratio = 1.2;  // of the distances of two planes
 constexpr std::size_t most_candidates = 48, most_rated = 256;
 
 /// The common part of the views of [low, high] x [w0, w1] from a profile.
@@ -65,8 +66,8 @@ std::vector<double> choose_planes(CellViews const& cell, std::span<Box const> oc
   for (auto const& c : candidates) {
     if (static_cast<int>(planes.size()) == count || !(c.filled > 0)) break;
     double const d = c.plane - cell.near;
-    bool const is_new =
-      std::ranges::none_of(planes, [&](double p) { return d < 1.5 * (p - cell.near) && p - cell.near < 1.5 * d; });
+    bool const is_new = std::ranges::none_of(
+      planes, [&](double p) { return d < nearest_ratio * (p - cell.near) && p - cell.near < nearest_ratio * d; });
     if (is_new) planes.push_back(c.plane);
   }
   std::ranges::sort(planes);

@@ -17,10 +17,8 @@ class OccluderProjector {
 public:
   OccluderProjector(PreparedScene const& scene, ViewCell const& cell);
 
-  /// Whether the occluder blocks from this cell at all.
-  bool blocks(std::uint32_t occluder) const;
   /// Adds the occluder, or its part with w <= until, to the map; returns the number of pixels written.
-  /// Requires: blocks(occluder).
+  /// Requires: the occluder blocks from the cell (Occluders::blocks_from).
   std::int64_t add(std::uint32_t occluder, ProjectionMap& map, double until = HUGE_VAL);
 
   bool is_above_ground() const { return is_above_ground_; }

@@ -28,7 +28,7 @@ Rectangle common_view(CellViews const& cell, Box const& box, double plane);
 Rectangle extended_rectangle(CellViews const& cell, double plane, double extent);
 
 /// Where `count` planes should stand: just behind occluders, the one with most pixels filled first [Durand00, 6.1],
-/// each at least half as far again, or nearer, than those before. `occluders` in the frame, most important first.
+/// none too near to one before. `occluders` in the frame, most important first.
 /// Fewer if there are no occluders. Ascending. All of this is a choice.
 std::vector<double> choose_planes(CellViews const& cell, std::span<Box const> occluders, Options const& options,
                                   int count);
