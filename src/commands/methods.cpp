@@ -71,13 +71,13 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
                      "extended-projection: pixels of a depth map along a side (default 256)");
   command.add_option("--extent", o.extent,
                      "extended-projection: how far planes reach beyond the cell, in distances (default 1.5)");
-  command.add_option("--planes", o.planes, "extended-projection: planes in each direction (default 2)");
+  command.add_option("--planes", o.planes, "extended-projection: planes in each direction, at most (default 8)");
   command
     .add_option("--plane-distances", o.distances,
                 "extended-projection: distances of the planes from the cell, in place of chosen ones")
     ->delimiter(',');
   command.add_option("--occluders", o.occluders,
-                     "extended-projection: convex bodies of the largest solid angle to project (default 2000)");
+                     "extended-projection: convex bodies of the largest solid angle to project (default 1000)");
   command.add_flag("!--no-more-occluders", o.more_occluders,
                    "extended-projection: do not add those of objects that are still visible");
   command.add_flag("!--no-improved", o.improved, "extended-projection: without the improved Projection of occludees");

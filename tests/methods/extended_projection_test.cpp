@@ -131,6 +131,21 @@ TEST_CASE("extended projection: a cell on the ground and houses on the ground", 
                         ViewCell::hull(corners)) == Names{"house"});
 }
 
+TEST_CASE("extended projection: an occluder across the plane hides from the vertices, not from between",
+          "[methods][conservative]")
+{
+  // The counterexample of proofs/extended_projection.md, "Vertices suffice", as a thin wall seen edge on; plane at x
+  // = 2.
+  ViewCell const cell(Box{{-1, -1, -0.25}, {0, 1, 0.25}});
+  Box const wall{{1, -0.5, -9}, {3, -0.49, 9}}, object{{2.5, -0.01, -0.1}, {6, 0.01, 0.1}};
+  for (double const distance : {1.5, 2.0, 2.4, 2.9}) {
+    Options options;
+    options.distances = {distance};
+    options.resolution = 1024;
+    REQUIRE(visible_names(scene_of({{"wall", wall}, {"object", object}}), cell, options) == Names{"object", "wall"});
+  }
+}
+
 TEST_CASE("extended projection: options out of range are refused", "[methods]")
 {
   Options options;

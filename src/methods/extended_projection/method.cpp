@@ -76,7 +76,8 @@ private:
   {
     added_[occluder] = true;
     ++count_;
-    for (auto& m : maps_) pixels_ += projector_.add(occluder, m);
+    for (auto& m : maps_)
+      if (m.seems_useful(m.cell().frame(scene_.occluders().bounds()[occluder]))) pixels_ += projector_.add(occluder, m);
     if (++since_refresh_ == refresh_after) refresh();
   }
 

@@ -1,7 +1,8 @@
 #include "visibility/methods/extended_projection/projection_map.hpp"
 
+#include "visibility/methods/extended_projection/plane_choice.hpp"
+
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <utility>
 
@@ -59,6 +60,23 @@ ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& gr
 ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& grid, DepthMap<float> depths)
   : cell_(&cell), plane_(plane), map_(std::move(depths)), region_(grid)
 {
+}
+
+bool ProjectionMap::seems_useful(Box const& box) const
+{
+  // Neither far behind the plane nor so far before it that little is left of it there.
+  double const d = plane_ - cell_->near;
+  if (box.max.z - cell_->near < 0.3 * d || box.min.z - cell_->near > 2 * d) return false;
+  Grid const& g = grid();
+  Rectangle const all{g.origin(), {g.column_line(g.width()), g.row_line(g.height())}};
+  Rectangle const r = common(common_view(*cell_, box, plane_), all);
+  double const x0 = std::ceil((r.low.x - g.origin().x) / g.step().x),
+               y0 = std::ceil((r.low.y - g.origin().y) / g.step().y),
+               x1 = std::floor((r.high.x - g.origin().x) / g.step().x),
+               y1 = std::floor((r.high.y - g.origin().y) / g.step().y);
+  if (!(x0 < x1 && y0 < y1)) return false;
+  PixelRectangle const pixels{static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1), static_cast<int>(y1)};
+  return !map_.hidden(pixels, static_cast<float>(box.min.z - cell_->near));
 }
 
 std::int64_t ProjectionMap::add(std::span<PartPoint const> part)

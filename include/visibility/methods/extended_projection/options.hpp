@@ -12,8 +12,8 @@ namespace visibility::extended_projection {
 struct Options {
   int resolution = 256;          ///< depth maps have resolution x resolution pixels; 1 to Grid::max_size
   double extent = 1.5;           ///< a plane at distance d reaches extent * d beyond the cell's sides [Durand00, 6.1]
-  int planes = 2;                ///< projection planes in each of the six directions
-  std::size_t occluders = 2000;  ///< convex bodies of the largest solid angle that are projected for a cell
+  int planes = 8;                ///< projection planes in each of the six directions, at most
+  std::size_t occluders = 1000;  ///< convex bodies of the largest solid angle that are projected for a cell
   bool more_occluders = true;    ///< then those of objects that are still visible, too [Durand00, 6.1]
   bool improved = true;          ///< the repaired improved Projection of occludees [Durand00, 4]
   /// Distances of the planes from the cell, in place of chosen ones; each > 0, in metres.

@@ -23,6 +23,9 @@ public:
   Grid const& grid() const { return region_.grid(); }
   DepthMap<float> const& depths() const { return map_.map(); }
 
+  /// Whether it seems worth while to add what lies in a box of the frame: its views seem to have a pixel in common
+  /// where the map does not hold something nearer. A choice: rounded, and looks at boxes.
+  bool seems_useful(Box const& box) const;
   /// Adds the Projection of a part: the intersection of its views from the vertices of the cell [Durand00, 3.2], at the
   /// Depth of its farthest point. Requires: near < w for all of the part, which is on one side of the plane.
   /// Returns the number of pixels.
