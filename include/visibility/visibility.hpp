@@ -120,6 +120,7 @@
 #include "visibility/methods/extended_projection/options.hpp"
 #include "visibility/methods/extended_projection/plane_choice.hpp"
 #include "visibility/methods/extended_projection/projection_map.hpp"
+#include "visibility/methods/extended_projection/sweep.hpp"
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/sampling/options.hpp"
 #include "visibility/methods/strong_occlusion/counts.hpp"

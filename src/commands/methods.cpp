@@ -4,6 +4,7 @@
 
 #include "visibility/methods/exact_25d/method.hpp"
 #include "visibility/methods/extended_projection/method.hpp"
+#include "visibility/methods/extended_projection/sweep.hpp"
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -51,7 +52,7 @@ void require_one_of(std::string const& option, std::string const& value, std::ve
 
 std::vector<std::string> method_names()
 {
-  return {"strong-occlusion", "exact-2.5d", "extended-projection", "sampling"};
+  return {"strong-occlusion", "exact-2.5d", "extended-projection", "occlusion-sweep", "sampling"};
 }
 
 std::vector<std::string> applicable_methods(Scene const& scene)
@@ -63,7 +64,7 @@ std::vector<std::string> applicable_methods(Scene const& scene)
 
 namespace {
 
-bool projects(std::string const& method) { return method == "extended-projection"; }
+bool projects(std::string const& method) { return method == "extended-projection" || method == "occlusion-sweep"; }
 
 void add_projection_options(CLI::App& command, extended_projection::Options& o)
 {
@@ -71,7 +72,8 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
                      "extended-projection: pixels of a depth map along a side (default 256)");
   command.add_option("--extent", o.extent,
                      "extended-projection: how far planes reach beyond the cell, in distances (default 1.5)");
-  command.add_option("--planes", o.planes, "extended-projection: planes in each direction, at most (default 8)");
+  command.add_option("--planes", o.planes,
+                     "extended-projection: planes in each direction, at most (default 8, 15 for occlusion-sweep)");
   command
     .add_option("--plane-distances", o.distances,
                 "extended-projection: distances of the planes from the cell, in place of chosen ones")
@@ -87,11 +89,10 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
 {
   std::string distances;
   for (double const d : o.distances) distances += (distances.empty() ? "" : ",") + std::to_string(d);
-  std::map<std::string, std::string> out{{"resolution", std::to_string(o.resolution)},
-                                         {"extent", std::to_string(o.extent)},
-                                         {"occluders", std::to_string(o.occluders)},
-                                         {"more-occluders", o.more_occluders ? "on" : "off"},
-                                         {"improved", o.improved ? "on" : "off"}};
+  std::map<std::string, std::string> out{
+    {"resolution", std::to_string(o.resolution)}, {"extent", std::to_string(o.extent)},
+    {"occluders", std::to_string(o.occluders)},   {"more-occluders", o.more_occluders ? "on" : "off"},
+    {"kernel", std::to_string(o.kernel)},         {"improved", o.improved ? "on" : "off"}};
   if (distances.empty())
     out["planes"] = std::to_string(o.planes);
   else
@@ -103,7 +104,8 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
 
 void MethodArguments::add_to(CLI::App& command)
 {
-  command.add_option("--method", method, "strong-occlusion (default), exact-2.5d, extended-projection or sampling");
+  command.add_option("--method", method,
+                     "strong-occlusion (default), exact-2.5d, extended-projection, occlusion-sweep or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
   command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
@@ -218,6 +220,7 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
 PotentiallyVisibleSet MethodRunner::one_cell(ViewCell const& cell) const
 {
   if (height_field_) return exact_25d(cell);
+  if (arguments_.method == "occlusion-sweep") return OcclusionSweep(arguments_.projection)(*scene_, cell);
   if (arguments_.method == "extended-projection") return ExtendedProjection(arguments_.projection)(*scene_, cell);
   return strong_occlusion(cell);
 }

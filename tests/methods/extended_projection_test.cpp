@@ -168,6 +168,6 @@ TEST_CASE("extended projection: options out of range are refused", "[methods]")
   options.distances = {-1};
   REQUIRE_THROWS_AS(ExtendedProjection(options), std::invalid_argument);
   options = {};
-  options.planes = 0;
+  options.planes = -1;
   REQUIRE_THROWS_AS(ExtendedProjection(options), std::invalid_argument);
 }

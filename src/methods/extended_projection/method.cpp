@@ -19,6 +19,8 @@ constexpr int refresh_after = 32;
 /// Occluders that are seen smaller than this do not come in later.
 constexpr double fewest_pixels = 16;
 
+constexpr int default_planes = 8;
+
 /// The maps of one cell, filled from occluders of the largest solid angle first.
 class Maps {
 public:
@@ -62,7 +64,8 @@ private:
     }
     std::vector<double> planes;
     for (double const d : options.distances) planes.push_back(cell.near + d);
-    if (planes.empty()) planes = choose_planes(cell, boxes, options, options.planes);
+    if (planes.empty())
+      planes = choose_planes(cell, boxes, options, options.planes > 0 ? options.planes : default_planes);
     // Sight lines to what is behind a plane pass it above the ground.
     double const lowest = cell.frame.has_vertical_v() && projector_.is_above_ground()
                             ? projector_.ground() - 0.125 * (cell.bounds.max.y - projector_.ground())

@@ -12,6 +12,9 @@ namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 
+/// Of a pixel: covers the roundings of in_pixels.
+constexpr double pixel_margin = 0x1p-10;
+
 struct Range {
   double low = inf, high = -inf;
   void add(double x)
@@ -50,15 +53,82 @@ double in_pixels(Bounded const& x, double side, double origin, double step)
   return (x.value + side * error - origin) / step;
 }
 
+/// Pixels [first, last] that a pixel is seen through from all of the cell, along one axis; none if it leaves the
+/// raster.
+struct Window {
+  int first = 0, last = -1;
+};
+
+/// The windows of the `count` pixels along an axis of the plane `to`, in a raster of `from_count` pixels on `from`.
+std::vector<Window> windows(std::vector<Point2d> const& profile, double to, double to_origin, double to_step, int count,
+                            double from, double from_origin, double from_step, int from_count)
+{
+  std::vector<Window> out(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    // Lines of a raster are doubles (Grid), so these are they.
+    double const low = to_origin + i * to_step, high = to_origin + (i + 1) * to_step;
+    auto const r = view_range(profile, low, high, to, to, from);
+    double const a = in_pixels({r.low, r.error}, -1, from_origin, from_step),
+                 b = in_pixels({r.high, r.error}, 1, from_origin, from_step);
+    if (!(a >= pixel_margin && b <= from_count - pixel_margin)) continue;
+    out[static_cast<std::size_t>(i)] = {static_cast<int>(a - pixel_margin), static_cast<int>(b + pixel_margin)};
+  }
+  return out;
+}
+
+/// For each pixel the farthest depth in its windows; empty where it has none.
+DepthMap<float> farthest(DepthMap<float> const& from, std::vector<Window> const& columns,
+                         std::vector<Window> const& rows)
+{
+  int const width = static_cast<int>(columns.size()), height = static_cast<int>(rows.size());
+  DepthMap<float> along_rows(width, from.height()), out(width, height);
+  for (int y = 0; y < from.height(); ++y) {
+    float const* const depths = from.row(y);
+    float* const to = along_rows.row(y);
+    for (int x = 0; x < width; ++x) {
+      auto const [first, last] = columns[static_cast<std::size_t>(x)];
+      if (first <= last) to[x] = *std::max_element(depths + first, depths + last + 1);
+    }
+  }
+  for (int y = 0; y < height; ++y) {
+    auto const [first, last] = rows[static_cast<std::size_t>(y)];
+    if (first > last) continue;
+    float* const to = out.row(y);
+    std::copy_n(along_rows.row(first), width, to);
+    for (int k = first + 1; k <= last; ++k) {
+      float const* const depths = along_rows.row(k);
+      for (int x = 0; x < width; ++x) to[x] = std::max(to[x], depths[x]);
+    }
+  }
+  return out;
+}
+
+DepthMap<float> reproject(ProjectionMap const& from, double plane, Grid const& grid)
+{
+  Grid const& g = from.grid();
+  auto const& cell = from.cell();
+  return farthest(from.depths(),
+                  windows(cell.profile_u, plane, grid.origin().x, grid.step().x, grid.width(), from.plane(),
+                          g.origin().x, g.step().x, g.width()),
+                  windows(cell.profile_v, plane, grid.origin().y, grid.step().y, grid.height(), from.plane(),
+                          g.origin().y, g.step().y, g.height()));
+}
+
 }  // namespace
 
 ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& grid)
-  : ProjectionMap(cell, plane, grid, DepthMap<float>(grid.width(), grid.height()))
+  : ProjectionMap(cell, plane, cell.near, grid, DepthMap<float>(grid.width(), grid.height()))
 {
 }
 
-ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& grid, DepthMap<float> depths)
-  : cell_(&cell), plane_(plane), map_(std::move(depths)), region_(grid)
+ProjectionMap::ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid)
+  : ProjectionMap(from.cell(), plane, from.plane(), grid, reproject(from, plane, grid))
+{
+}
+
+ProjectionMap::ProjectionMap(CellViews const& cell, double plane, double improved_from, Grid const& grid,
+                             DepthMap<float> depths)
+  : cell_(&cell), plane_(plane), improved_from_(improved_from), map_(std::move(depths)), region_(grid)
 {
 }
 
@@ -112,14 +182,9 @@ std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
   for (std::size_t i = 0; i < errors_.size() && !region_.bounds().is_empty(); ++i)
     region_.keep(Outline{std::span(views_).subspan(i * n, n), errors_[i]}, Cover::inside);
   region_.spans(spans_);
-  add(spans_, deepest(part));
-  return pixel_count(spans_);
-}
-
-void ProjectionMap::add(Spans const& spans, double depth)
-{
   // The difference is rounded, which keeps the order of depths; equal ones may become of different ones, which is safe.
-  map_.write(spans, PixelDepth::above(grid(), {.value = depth - cell_->near}));
+  map_.write(spans_, PixelDepth::above(g, {.value = deepest(part) - cell_->near}));
+  return pixel_count(spans_);
 }
 
 bool ProjectionMap::hides(Box const& b) const
@@ -132,7 +197,7 @@ bool ProjectionMap::hides(Box const& b) const
 
 bool ProjectionMap::hides_improved(Box const& b) const
 {
-  if (!(b.min.z > cell_->near) || b.max.z > plane_) return false;
+  if (!(b.min.z > cell_->near && b.min.z >= improved_from_) || b.max.z > plane_) return false;
   double const far_ratio = (plane_ - cell_->near) / (b.max.z - cell_->near),
                near_ratio = (plane_ - cell_->near) / (b.min.z - cell_->near);
   if (!in_domain(far_ratio) || !in_domain(near_ratio)) return false;
@@ -158,7 +223,7 @@ bool ProjectionMap::hides(Bounded const& u0, Bounded const& u1, Bounded const& v
   Grid const& g = grid();
   double const low_u = in_pixels(u0, -1, g.origin().x, g.step().x), high_u = in_pixels(u1, 1, g.origin().x, g.step().x),
                low_v = in_pixels(v0, -1, g.origin().y, g.step().y), high_v = in_pixels(v1, 1, g.origin().y, g.step().y);
-  constexpr double margin = 0x1p-10;  // of a pixel, for the roundings of in_pixels
+  constexpr double margin = pixel_margin;
   if (!(low_u >= margin && low_v >= margin && high_u <= g.width() - margin && high_v <= g.height() - margin))
     return false;
   PixelRectangle const pixels{static_cast<int>(low_u - margin), static_cast<int>(low_v - margin),

@@ -15,8 +15,10 @@ class ProjectionMap {
 public:
   /// Keeps a reference to the cell. Requires: plane > cell.near.
   ProjectionMap(CellViews const& cell, double plane, Grid const& grid);
-  /// With depths already found, of that plane and grid.
-  ProjectionMap(CellViews const& cell, double plane, Grid const& grid, DepthMap<float> depths);
+  /// The next plane of a sweep: what another map knows, on this plane [Durand00, 5.1]. A pixel is covered if the lines
+  /// from all of the cell to all of the pixel pass covered pixels there; it takes the farthest of their depths. So
+  /// depths stay those of occluders. Requires: the same cell; near < from.plane() < plane.
+  ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid);
 
   CellViews const& cell() const { return *cell_; }
   double plane() const { return plane_; }
@@ -30,9 +32,6 @@ public:
   /// Depth of its farthest point. Requires: near < w for all of the part, which is on one side of the plane.
   /// Returns the number of pixels.
   std::int64_t add(std::span<PartPoint const> part);
-  /// Adds pixels in which the plane itself, or what stands for it, is occluded at w = depth. Requires: what the class
-  /// says of such a pixel.
-  void add(Spans const& spans, double depth);
   /// Brings the pyramid up to date: queries are right before it, and fast after.
   void refresh() { map_.refresh(); }
 
@@ -40,15 +39,17 @@ public:
   /// Through the Projection of the box, the bounding rectangle of its views [Durand00, 3.1].
   bool hides(Box const& box) const;
   /// The same through the improved Projection [Durand00, 4.2], from the cell's side next to the plane, which the paper
-  /// leaves out (proofs/extended_projection.md, "Improved Projection"). Requires: a box cell; each pixel is due to a
-  /// convex part, or to planes that the box is behind.
+  /// leaves out (proofs/extended_projection.md, "Improved Projection"). Requires: a box cell; nothing but
+  /// convex parts was added. Of a map that came from another, boxes that reach before that one's plane are not hidden.
   bool hides_improved(Box const& box) const;
 
 private:
+  ProjectionMap(CellViews const& cell, double plane, double improved_from, Grid const& grid, DepthMap<float> depths);
   bool hides(Bounded const& u0, Bounded const& u1, Bounded const& v0, Bounded const& v1, double w) const;
 
   CellViews const* cell_;
   double plane_;
+  double improved_from_;  // boxes from here on may be hidden by the improved Projection
   HierarchicalDepthMap<float> map_;
   PixelRegion region_;          // scratch
   Spans spans_;                 // scratch
