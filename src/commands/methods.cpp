@@ -74,6 +74,8 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
                      "extended-projection: how far planes reach beyond the cell, in distances (default 1.5)");
   command.add_option("--planes", o.planes,
                      "extended-projection: planes in each direction, at most (default 8, 15 for occlusion-sweep)");
+  command.add_option("--kernel", o.kernel,
+                     "occlusion-sweep: pixels of the cell's image from plane to plane (default 5)");
   command
     .add_option("--plane-distances", o.distances,
                 "extended-projection: distances of the planes from the cell, in place of chosen ones")
