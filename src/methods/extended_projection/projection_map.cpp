@@ -1,5 +1,8 @@
 #include "visibility/methods/extended_projection/projection_map.hpp"
 
+#include "reprojection.hpp"
+#include "view_range.hpp"
+
 #include "visibility/methods/extended_projection/plane_choice.hpp"
 
 #include <algorithm>
@@ -11,108 +14,6 @@ namespace visibility::extended_projection {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-
-/// Of a pixel: covers the roundings of in_pixels.
-constexpr double pixel_margin = 0x1p-10;
-
-struct Range {
-  double low = inf, high = -inf;
-  void add(double x)
-  {
-    low = x < low ? x : low;
-    high = x > high ? x : high;
-  }
-};
-
-/// The range of views of an interval of a coordinate from the points of a profile, and a bound of all errors. The view
-/// is monotone in the point and in the eye, so ends suffice (proofs/extended_projection.md, "Occludees").
-struct ViewRange {
-  double low = inf, high = -inf, error = 0;
-};
-
-ViewRange view_range(std::vector<Point2d> const& profile, double low, double high, double w0, double w1, double plane)
-{
-  Range range;
-  double size = 0;
-  for (auto const& c : profile)
-    for (double const w : {w0, w1}) {
-      double const ratio = (plane - c.y) / (w - c.y);
-      if (!in_domain(ratio)) return {-inf, inf, 0};
-      double const a = (low - c.x) * ratio, b = (high - c.x) * ratio;
-      range.add(c.x + a);
-      range.add(c.x + b);
-      size = std::max({size, std::fabs(a), std::fabs(b), std::fabs(c.x)});
-    }
-  return {range.low, range.high, 10 * 0x1p-53 * size + 0x1p-1000};
-}
-
-/// A coordinate in pixels, moved by the bound of its error times `side`; in the raster its own rounding is below 2^-39.
-double in_pixels(Bounded const& x, double side, double origin, double step)
-{
-  double const error = x.error * (1 + 0x1p-40) + 4 * 0x1p-53 * std::fabs(x.value);
-  return (x.value + side * error - origin) / step;
-}
-
-/// Pixels [first, last] that a pixel is seen through from all of the cell, along one axis; none if it leaves the
-/// raster.
-struct Window {
-  int first = 0, last = -1;
-};
-
-/// The windows of the `count` pixels along an axis of the plane `to`, in a raster of `from_count` pixels on `from`.
-std::vector<Window> windows(std::vector<Point2d> const& profile, double to, double to_origin, double to_step, int count,
-                            double from, double from_origin, double from_step, int from_count)
-{
-  std::vector<Window> out(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
-    // Lines of a raster are doubles (Grid), so these are they.
-    double const low = to_origin + i * to_step, high = to_origin + (i + 1) * to_step;
-    auto const r = view_range(profile, low, high, to, to, from);
-    double const a = in_pixels({r.low, r.error}, -1, from_origin, from_step),
-                 b = in_pixels({r.high, r.error}, 1, from_origin, from_step);
-    if (!(a >= pixel_margin && b <= from_count - pixel_margin)) continue;
-    out[static_cast<std::size_t>(i)] = {static_cast<int>(a - pixel_margin), static_cast<int>(b + pixel_margin)};
-  }
-  return out;
-}
-
-/// For each pixel the farthest depth in its windows; empty where it has none.
-DepthMap<float> farthest(DepthMap<float> const& from, std::vector<Window> const& columns,
-                         std::vector<Window> const& rows)
-{
-  int const width = static_cast<int>(columns.size()), height = static_cast<int>(rows.size());
-  DepthMap<float> along_rows(width, from.height()), out(width, height);
-  for (int y = 0; y < from.height(); ++y) {
-    float const* const depths = from.row(y);
-    float* const to = along_rows.row(y);
-    for (int x = 0; x < width; ++x) {
-      auto const [first, last] = columns[static_cast<std::size_t>(x)];
-      if (first <= last) to[x] = *std::max_element(depths + first, depths + last + 1);
-    }
-  }
-  for (int y = 0; y < height; ++y) {
-    auto const [first, last] = rows[static_cast<std::size_t>(y)];
-    if (first > last) continue;
-    float* const to = out.row(y);
-    std::copy_n(along_rows.row(first), width, to);
-    for (int k = first + 1; k <= last; ++k) {
-      float const* const depths = along_rows.row(k);
-      for (int x = 0; x < width; ++x) to[x] = std::max(to[x], depths[x]);
-    }
-  }
-  return out;
-}
-
-DepthMap<float> reproject(ProjectionMap const& from, double plane, Grid const& grid)
-{
-  Grid const& g = from.grid();
-  auto const& cell = from.cell();
-  return farthest(from.depths(),
-                  windows(cell.profile_u, plane, grid.origin().x, grid.step().x, grid.width(), from.plane(),
-                          g.origin().x, g.step().x, g.width()),
-                  windows(cell.profile_v, plane, grid.origin().y, grid.step().y, grid.height(), from.plane(),
-                          g.origin().y, g.step().y, g.height()));
-}
 
 }  // namespace
 

@@ -17,6 +17,9 @@ using namespace extended_projection;
 
 constexpr int default_planes = 15;
 
+/// How many occluders are added to a map before its pyramid is brought up to date.
+constexpr std::size_t refresh_after = 64;
+
 /// So many occluders tell where the first plane stands.
 constexpr std::size_t most_important = 200;
 
@@ -122,19 +125,27 @@ private:
   void add_occluders(ProjectionMap& map, double before)
   {
     auto const& frame = map.cell().frame;
-    walk(
-      scene_.occluder_hierarchy(),
-      [&](Box const& box) {
-        Box const b = frame(box);
-        return b.max.z > before && b.min.z < map.plane();
-      },
-      [&](std::uint32_t o) {
-        Box const b = frame(scene_.occluders().bounds()[o]);
-        if (hidden_[scene_.occluders().object(o)] || b.max.z <= before || b.min.z >= map.plane()) return;
-        if (!map.seems_useful(b) || !is_useful(scene_, cell_, o)) return;
+    auto const& occluders = scene_.occluders();
+    auto const is_between = [&](Box const& box) {
+      Box const b = frame(box);
+      return b.max.z > before && b.min.z < map.plane();
+    };
+    walk(scene_.object_hierarchy(), is_between, [&](std::uint32_t object) {
+      if (hidden_[object]) return;
+      auto const first = occluders.first_of_object()[object], last = occluders.first_of_object()[object + 1];
+      // Inner bodies come last; where there are some, the single triangles are left out.
+      for (auto o = last; o-- > first;) {
+        if (!is_between(occluders.bounds()[o])) continue;
+        if (!is_useful(scene_, cell_, o)) {
+          if (o + 1 < last && occluders.is_body(o) && !occluders.is_body(last - 1)) break;
+          continue;
+        }
+        if (!map.seems_useful(frame(occluders.bounds()[o]))) continue;
         ++occluders_;
         pixels_ += projector_.add(o, map, map.plane());
-      });
+        if (occluders_ % refresh_after == 0) map.refresh();
+      }
+    });
   }
 
   /// Tests what is behind the plane before; returns whether anything is left behind this one.
