@@ -3,6 +3,8 @@
 #include "count_option.hpp"
 
 #include "visibility/methods/exact_25d/method.hpp"
+#include "visibility/methods/extended_projection/method.hpp"
+#include "visibility/methods/extended_projection/sweep.hpp"
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -48,7 +50,10 @@ void require_one_of(std::string const& option, std::string const& value, std::ve
 
 }  // namespace
 
-std::vector<std::string> method_names() { return {"strong-occlusion", "exact-2.5d", "sampling"}; }
+std::vector<std::string> method_names()
+{
+  return {"strong-occlusion", "exact-2.5d", "extended-projection", "occlusion-sweep", "sampling"};
+}
 
 std::vector<std::string> applicable_methods(Scene const& scene)
 {
@@ -57,15 +62,58 @@ std::vector<std::string> applicable_methods(Scene const& scene)
   return names;
 }
 
+namespace {
+
+bool projects(std::string const& method) { return method == "extended-projection" || method == "occlusion-sweep"; }
+
+void add_projection_options(CLI::App& command, extended_projection::Options& o)
+{
+  command.add_option("--resolution", o.resolution,
+                     "extended-projection: pixels of a depth map along a side (default 256)");
+  command.add_option("--extent", o.extent,
+                     "extended-projection: how far planes reach beyond the cell, in distances (default 1.5)");
+  command.add_option("--planes", o.planes,
+                     "extended-projection: planes in each direction, at most (default 8, 15 for occlusion-sweep)");
+  command.add_option("--kernel", o.kernel,
+                     "occlusion-sweep: pixels of the cell's image from plane to plane (default 5)");
+  command
+    .add_option("--plane-distances", o.distances,
+                "extended-projection: distances of the planes from the cell, in place of chosen ones")
+    ->delimiter(',');
+  command.add_option("--occluders", o.occluders,
+                     "extended-projection: convex bodies of the largest solid angle to project (default 1000)");
+  command.add_flag("!--no-more-occluders", o.more_occluders,
+                   "extended-projection: do not add those of objects that are still visible");
+  command.add_flag("!--no-improved", o.improved, "extended-projection: without the improved Projection of occludees");
+}
+
+std::map<std::string, std::string> text_of(extended_projection::Options const& o)
+{
+  std::string distances;
+  for (double const d : o.distances) distances += (distances.empty() ? "" : ",") + std::to_string(d);
+  std::map<std::string, std::string> out{
+    {"resolution", std::to_string(o.resolution)}, {"extent", std::to_string(o.extent)},
+    {"occluders", std::to_string(o.occluders)},   {"more-occluders", o.more_occluders ? "on" : "off"},
+    {"kernel", std::to_string(o.kernel)},         {"improved", o.improved ? "on" : "off"}};
+  if (distances.empty())
+    out["planes"] = std::to_string(o.planes);
+  else
+    out["plane-distances"] = distances;
+  return out;
+}
+
+}  // namespace
+
 void MethodArguments::add_to(CLI::App& command)
 {
-  command.add_option("--method", method, "strong-occlusion (default), exact-2.5d or sampling");
+  command.add_option("--method", method,
+                     "strong-occlusion (default), exact-2.5d, extended-projection, occlusion-sweep or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
   command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
                      "strong-occlusion: the same for all but the smallest --cell-size (default part)");
   command.add_flag("--no-inner-bodies", no_inner_bodies,
-                   "strong-occlusion: do not look for convex occluders inside non-convex objects");
+                   "strong-occlusion, extended-projection: do not look for convex occluders inside non-convex objects");
   std::string names;
   for (auto const& [name, optimization] : optimizations) names += (names.empty() ? "" : ", ") + std::string(name);
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
@@ -77,6 +125,7 @@ void MethodArguments::add_to(CLI::App& command)
     "SCENE");
   command.add_option("--explain", explain,
                      "exact-2.5d: write visible parts of edges, funnels and shadow planes to this file (JSON)");
+  add_projection_options(command, projection);
   add_count_option(command, "--rays", rays, "sampling: rays to shoot (default 1000000)");
   command.add_option("--seconds", seconds, "sampling: stop after this time (default 0: no limit)");
   command.add_option("--seed", seed, "sampling: seed (default 1)");
@@ -94,6 +143,15 @@ void MethodArguments::validate() const
   for (auto const& name : without) require_one_of("--without", name, names);
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
+  if (projects(method)) {
+    if (arithmetic != "filtered")
+      throw BadInput("--arithmetic does not apply to " + method + ": it rounds to the safe side");
+    try {
+      projection.validate();
+    } catch (std::invalid_argument const& e) {
+      throw BadInput("--method " + method + ": " + e.what());
+    }
+  }
   if (method != "strong-occlusion" && !without.empty()) throw BadInput("--without applies to strong-occlusion only");
   if (method != "exact-2.5d" && witnesses) throw BadInput("--witnesses applies to exact-2.5d only");
   if (method != "exact-2.5d" && !occludees.empty()) throw BadInput("--occludees applies to exact-2.5d only");
@@ -109,6 +167,11 @@ std::map<std::string, std::string> MethodArguments::options() const
   if (method == "sampling")
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
   if (method == "exact-2.5d") return {};
+  if (projects(method)) {
+    auto out = text_of(projection);
+    out["inner-bodies"] = no_inner_bodies ? "off" : "on";
+    return out;
+  }
   std::map<std::string, std::string> out{{"granularity", granularity},
                                          {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
@@ -136,7 +199,7 @@ MethodRunner::MethodRunner(MethodArguments arguments, Scene const& scene, Scene 
     height_field_.emplace(scene);
     require_height_field(*height_field_);
     if (occludees != nullptr) occludees_.emplace(targets_.emplace(*occludees));
-  } else if (arguments_.method == "strong-occlusion" && !arguments_.no_inner_bodies) {
+  } else if (arguments_.method != "sampling" && !arguments_.no_inner_bodies) {
     scene_.emplace(scene, InnerBodyOptions{});
   } else {
     scene_.emplace(scene);
@@ -151,9 +214,17 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
     return Sampling(
       {.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed, .progress = progress})(*rays_,
                                                                                                                cell);
-  auto set = height_field_ ? exact_25d(cell) : strong_occlusion(cell);
+  auto set = one_cell(cell);
   progress(1);
   return set;
+}
+
+PotentiallyVisibleSet MethodRunner::one_cell(ViewCell const& cell) const
+{
+  if (height_field_) return exact_25d(cell);
+  if (arguments_.method == "occlusion-sweep") return OcclusionSweep(arguments_.projection)(*scene_, cell);
+  if (arguments_.method == "extended-projection") return ExtendedProjection(arguments_.projection)(*scene_, cell);
+  return strong_occlusion(cell);
 }
 
 template <Arithmetic A>

@@ -2,6 +2,7 @@
 
 #include "visibility/evidence/ray_scene.hpp"
 #include "visibility/methods/exact_25d/explanation.hpp"
+#include "visibility/methods/extended_projection/options.hpp"
 #include "visibility/scene/height_field.hpp"
 #include "visibility/scene/occludees.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
@@ -32,9 +33,10 @@ struct MethodArguments {
   std::string coarse_granularity = "part";
   bool no_inner_bodies = false;
   bool witnesses = false;
-  std::string occludees;             ///< scene that is looked for; empty: the scene itself
-  std::string explain;               ///< file for visible parts, funnels and shadow planes; empty: none
-  std::vector<std::string> without;  ///< optimizations of strong occlusion that are switched off
+  std::string occludees;                    ///< scene that is looked for; empty: the scene itself
+  std::string explain;                      ///< file for visible parts, funnels and shadow planes; empty: none
+  extended_projection::Options projection;  ///< of extended-projection and occlusion-sweep
+  std::vector<std::string> without;         ///< optimizations of strong occlusion that are switched off
   std::uint64_t rays = 1'000'000;
   double seconds = 0;
   std::uint64_t seed = 1;
@@ -68,6 +70,7 @@ private:
   PotentiallyVisibleSet exact_25d(ViewCell const& cell) const;
   void require_above_ground(ViewCell const& cell) const;
   PotentiallyVisibleSet strong_occlusion(ViewCell const& cell) const;
+  PotentiallyVisibleSet one_cell(ViewCell const& cell) const;
 
   std::optional<PreparedScene> scene_;
   std::optional<RayScene> rays_;

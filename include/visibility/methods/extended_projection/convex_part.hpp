@@ -1,0 +1,22 @@
+#pragma once
+
+#include "visibility/methods/extended_projection/cell_views.hpp"
+
+#include <span>
+#include <vector>
+
+namespace visibility::extended_projection {
+
+/// The hull of some points, all of it at w > near of the cell, on one side of the projection plane: what "the views
+/// from the vertices of the cell suffice" holds for (proofs/extended_projection.md, "Vertices suffice"; for an occluder
+/// that crosses the plane it is false).
+using ConvexPart = std::vector<PartPoint>;
+
+/// The hull of the points cut to low <= w <= high. Points that arise are rounded and carry their error. A hull of many
+/// points may come out smaller, never larger. Empty if there is nothing.
+ConvexPart cut(std::span<PartPoint const> points, double low, double high);
+
+/// The greatest w of a part. Requires: points.
+double deepest(std::span<PartPoint const> part);
+
+}  // namespace visibility::extended_projection

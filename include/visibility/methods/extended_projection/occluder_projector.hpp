@@ -1,0 +1,39 @@
+#pragma once
+
+#include "visibility/methods/extended_projection/projection_map.hpp"
+#include "visibility/scene/prepared_scene.hpp"
+
+#include <cstdint>
+
+namespace visibility::extended_projection {
+
+/// Projects the convex occluders of a scene: cuts each into parts for which the vertices of the cell suffice, and adds
+/// these to a map.
+///
+/// Upright solids that stand on the lowest level of the scene are carried on downwards: no sight line passes below that
+/// level if the cell lies above it, so nothing changes but that rounding at the foot of walls costs no pixels, and that
+/// parts of a plane below the ground are covered (proofs/extended_projection.md, "Ground").
+class OccluderProjector {
+public:
+  OccluderProjector(PreparedScene const& scene, ViewCell const& cell);
+
+  /// Adds the occluder, or its part with w <= until, to the map; returns the number of pixels written.
+  /// Requires: the occluder blocks from the cell (Occluders::blocks_from).
+  std::int64_t add(std::uint32_t occluder, ProjectionMap& map, double until = HUGE_VAL);
+
+  bool is_above_ground() const { return is_above_ground_; }
+  double ground() const { return ground_; }
+
+private:
+  void collect(std::uint32_t occluder, Frame const& frame);
+  void carry_down();
+
+  PreparedScene const* scene_;
+  ViewCell const* cell_;
+  bool is_above_ground_;
+  double ground_, deep_;
+  std::vector<Point3d> vertices_;  // scratch
+  ConvexPart part_;                // scratch
+};
+
+}  // namespace visibility::extended_projection

@@ -1,0 +1,56 @@
+#include "visibility/methods/extended_projection/convex_part.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace visibility::extended_projection {
+
+namespace {
+
+/// Beyond so many pairs of points the segments between them are left out: the part gets smaller.
+constexpr std::size_t most_pairs = 1024;
+
+/// Adds the point where the segment pq meets w = `at`. Requires: `at` between their w. Leaves it out if its place on
+/// the segment is too small a number.
+void add_crossing(PartPoint const& p, PartPoint const& q, double at, ConvexPart& part)
+{
+  double const s = (at - p.at.z) / (q.at.z - p.at.z);
+  if (!in_domain(s)) return;
+  auto const u = view(p.at.x, q.at.x, 0, s), v = view(p.at.y, q.at.y, 0, s);
+  double const error = std::max(u.error, v.error) + std::max(p.error, q.error);
+  part.push_back({{u.value, v.value, at}, error * (1 + 0x1p-40)});
+}
+
+/// The side of the points at sign * w >= sign * at.
+ConvexPart keep_side(ConvexPart const& points, double at, double sign)
+{
+  ConvexPart in, out;
+  for (auto const& p : points) (sign * p.at.z >= sign * at ? in : out).push_back(p);
+  if (out.empty() || in.size() * out.size() > most_pairs) return in;
+  std::size_t const kept = in.size();
+  for (std::size_t i = 0; i < kept; ++i)
+    for (auto const& q : out)
+      if (in[i].at.z != at) add_crossing(PartPoint(in[i]), q, at, in);
+  return in;
+}
+
+}  // namespace
+
+ConvexPart cut(std::span<PartPoint const> points, double low, double high)
+{
+  ConvexPart part(points.begin(), points.end());
+  auto const least = std::ranges::min(part, {}, [](PartPoint const& p) { return p.at.z; }).at.z;
+  auto const greatest = deepest(part);
+  if (least < low) part = keep_side(part, low, 1);
+  if (greatest > high) part = keep_side(part, high, -1);
+  return part;
+}
+
+double deepest(std::span<PartPoint const> part)
+{
+  double w = -std::numeric_limits<double>::infinity();
+  for (auto const& p : part) w = std::max(w, p.at.z);
+  return w;
+}
+
+}  // namespace visibility::extended_projection

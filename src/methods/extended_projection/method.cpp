@@ -1,0 +1,123 @@
+#include "visibility/methods/extended_projection/method.hpp"
+
+#include "visibility/methods/extended_projection/occludee_search.hpp"
+#include "visibility/methods/extended_projection/occluder_projector.hpp"
+#include "visibility/methods/extended_projection/occluder_selection.hpp"
+#include "visibility/methods/extended_projection/plane_choice.hpp"
+
+#include <algorithm>
+
+namespace visibility {
+
+namespace {
+
+using namespace extended_projection;
+
+/// How many occluders are added to the maps before their pyramids are brought up to date.
+constexpr int refresh_after = 32;
+
+/// Occluders that are seen smaller than this do not come in later.
+constexpr double fewest_pixels = 16;
+
+constexpr int default_planes = 8;
+
+/// The maps of one cell, filled from occluders of the largest solid angle first.
+class Maps {
+public:
+  Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options)
+    : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell),
+      added_(scene.occluders().size())
+  {
+    cells_.reserve(frames.size());
+    for (auto const& f : frames) cells_.emplace_back(f, cell);
+    auto const selected = select_occluders(scene, cell, options.occluders);
+    for (auto const& c : cells_) place_planes(c, selected, options);
+    for (auto const o : selected) add(o);
+    refresh();
+  }
+
+  std::vector<ProjectionMap> const& maps() const { return maps_; }
+
+  void add_object(std::uint32_t object)
+  {
+    auto const first = scene_.occluders().first_of_object();
+    for (auto i = first[object]; i < first[object + 1]; ++i)
+      if (!added_[i] && approximate_pixels(scene_.occluders().bounds()[i], cell_, resolution_) >= fewest_pixels &&
+          is_useful(scene_, cell_, i))
+        add(i);
+  }
+  void refresh()
+  {
+    for (auto& m : maps_) m.refresh();
+    since_refresh_ = 0;
+  }
+  std::size_t added() const { return count_; }
+  std::int64_t pixels() const { return pixels_; }
+
+private:
+  void place_planes(CellViews const& cell, std::vector<std::uint32_t> const& selected, Options const& options)
+  {
+    std::vector<Box> boxes;
+    for (auto const o : selected) {
+      Box const b = cell.frame(scene_.occluders().bounds()[o]);
+      if (b.max.z > cell.near) boxes.push_back(b);
+    }
+    std::vector<double> planes;
+    for (double const d : options.distances) planes.push_back(cell.near + d);
+    if (planes.empty())
+      planes = choose_planes(cell, boxes, options, options.planes > 0 ? options.planes : default_planes);
+    // Sight lines to what is behind a plane pass it above the ground.
+    double const lowest = cell.frame.has_vertical_v() && projector_.is_above_ground()
+                            ? projector_.ground() - 0.125 * (cell.bounds.max.y - projector_.ground())
+                            : -HUGE_VAL;
+    for (double const plane : planes)
+      if (auto const grid = choose_grid(cell, boxes, plane, lowest, options); grid && plane > cell.near)
+        maps_.emplace_back(cell, plane, *grid);
+  }
+
+  void add(std::uint32_t occluder)
+  {
+    added_[occluder] = true;
+    ++count_;
+    for (auto& m : maps_)
+      if (m.seems_useful(m.cell().frame(scene_.occluders().bounds()[occluder]))) pixels_ += projector_.add(occluder, m);
+    if (++since_refresh_ == refresh_after) refresh();
+  }
+
+  PreparedScene const& scene_;
+  ViewCell const& cell_;
+  int resolution_;
+  OccluderProjector projector_;
+  std::vector<CellViews> cells_;
+  std::vector<ProjectionMap> maps_;
+  std::vector<bool> added_;
+  std::size_t count_ = 0;
+  std::int64_t pixels_ = 0;
+  int since_refresh_ = 0;
+};
+
+}  // namespace
+
+PotentiallyVisibleSet ExtendedProjection::operator()(PreparedScene const& scene, ViewCell const& cell) const
+{
+  Maps maps(scene, cell, options_);
+  OccludeeSearch search(scene, cell, maps.maps(), options_.improved);
+  PotentiallyVisibleSet set;
+  set.guarantee = Guarantee::conservative;
+  if (options_.more_occluders) {
+    auto const before = maps.added();
+    set.visible = search.visible_objects([&](std::uint32_t o) { maps.add_object(o); });
+    maps.refresh();
+    if (maps.added() > before) std::erase_if(set.visible, [&](std::uint32_t o) { return search.hides_object(o); });
+  } else {
+    set.visible = search.visible_objects([](std::uint32_t) {});
+  }
+  set.statistics = {{"planes", double(maps.maps().size())},
+                    {"occluders", double(maps.added())},
+                    {"pixels", double(maps.pixels())},
+                    {"boxes_tested", double(search.counts().boxes_tested)},
+                    {"groups_hidden", double(search.counts().groups_hidden)}};
+  return set;
+}
+
+}  // namespace visibility

@@ -1,0 +1,108 @@
+#include "visibility/methods/extended_projection/occluder_projector.hpp"
+
+#include <algorithm>
+
+namespace visibility::extended_projection {
+
+namespace {
+
+/// Parts nearer to the cell than this share of the plane's distance are cut off; their views reach far out.
+constexpr double nearest_share = 0x1p-10;
+
+/// How far upright solids are carried down, in heights of scene and cell.
+constexpr double depth_below = 64;
+
+void append(Box const& b, std::vector<Point3d>& out)
+{
+  for (auto const& p : b.corners()) out.push_back(p);
+}
+void append(ConvexPrism const& p, std::vector<Point3d>& out)
+{
+  for (auto const& v : p.footprint) {
+    out.push_back({v.x, v.y, p.bottom});
+    out.push_back({v.x, v.y, p.top});
+  }
+}
+void append(ConvexPolyhedron const& p, std::vector<Point3d>& out)
+{
+  out.insert(out.end(), p.vertices.begin(), p.vertices.end());
+}
+void append(Triangle const& t, std::vector<Point3d>& out)
+{
+  out.insert(out.end(), t.vertices.begin(), t.vertices.end());
+}
+
+/// Points inside the ball: of its cube and its octahedron, a little smaller, so that rounding leaves them inside.
+void append(Ball const& b, std::vector<Point3d>& out)
+{
+  double const size = std::max({std::fabs(b.centre.x), std::fabs(b.centre.y), std::fabs(b.centre.z)}), r = b.radius;
+  if (!(size * 0x1p-50 <= r * 1e-4) || r < 0x1p-500) return;
+  double const h = 0.577 * r, a = 0.999 * r;
+  append(Box{{b.centre.x - h, b.centre.y - h, b.centre.z - h}, {b.centre.x + h, b.centre.y + h, b.centre.z + h}}, out);
+  for (auto const axis : {&Point3d::x, &Point3d::y, &Point3d::z})
+    for (double const way : {-a, a}) {
+      Point3d p = b.centre;
+      p.*axis += way;
+      out.push_back(p);
+    }
+}
+
+}  // namespace
+
+OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const& cell) : scene_(&scene), cell_(&cell)
+{
+  Box const& all = scene.object_hierarchy().nodes()[0].bounds;
+  ground_ = all.min.z;
+  is_above_ground_ = cell.bounds().min.z >= ground_;
+  deep_ = ground_ - depth_below * (std::max(all.max.z, cell.bounds().max.z) - ground_);
+}
+
+void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
+{
+  vertices_.clear();
+  scene_->occluders().visit(i, [&](auto const& shape) { append(shape, vertices_); });
+  if (frame.has_vertical_v() && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_) carry_down();
+}
+
+/// If every vertex has one below it on the ground, the hull is what lies between its upper side and the ground.
+void OccluderProjector::carry_down()
+{
+  auto const has_foot = [&](Point3d const& p) {
+    return std::ranges::any_of(vertices_, [&](Point3d const& q) { return q.x == p.x && q.y == p.y && q.z == ground_; });
+  };
+  constexpr std::size_t most = 64;
+  if (vertices_.size() > most || !std::ranges::all_of(vertices_, has_foot)) return;
+  for (auto& p : vertices_)
+    if (p.z == ground_) p.z = deep_;
+}
+
+std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double until)
+{
+  CellViews const& cell = map.cell();
+  Box const bounds = cell.frame(scene_->occluders().bounds()[i]);
+  double const start = cell.near + (map.plane() - cell.near) * nearest_share;
+  if (!(start > cell.near) || bounds.max.z <= start) return 0;
+  collect(i, cell.frame);
+  if (vertices_.size() < 3) return 0;
+  part_.clear();
+  for (auto const& p : vertices_) part_.push_back({cell.frame(p)});
+
+  std::int64_t pixels = 0;
+  auto const add_cut = [&](double low, double high) {
+    if (bounds.min.z >= low && bounds.max.z <= high)
+      pixels += map.add(part_);
+    else if (low < high)
+      pixels += map.add(cut(part_, low, high));
+  };
+  // The vertices of the cell suffice on either side of the plane, not for a body across it.
+  add_cut(start, std::min(until, map.plane()));
+  if (bounds.max.z > map.plane() && until > map.plane()) add_cut(map.plane(), until);
+  // A side next to the cell hides what is behind it, even within the depth of the body.
+  if (bounds.min.z >= start && bounds.min.z < bounds.max.z && bounds.min.z <= until) {
+    std::erase_if(part_, [&](PartPoint const& p) { return p.at.z != bounds.min.z; });
+    if (part_.size() > 2) pixels += map.add(part_);
+  }
+  return pixels;
+}
+
+}  // namespace visibility::extended_projection

@@ -1,0 +1,135 @@
+#include "visibility/methods/extended_projection/projection_map.hpp"
+
+#include "reprojection.hpp"
+#include "view_range.hpp"
+
+#include "visibility/methods/extended_projection/plane_choice.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace visibility::extended_projection {
+
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& grid)
+  : ProjectionMap(cell, plane, cell.near, grid, DepthMap<float>(grid.width(), grid.height()))
+{
+}
+
+ProjectionMap::ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid)
+  : ProjectionMap(from.cell(), plane, from.plane(), grid, reproject(from, plane, grid))
+{
+}
+
+ProjectionMap::ProjectionMap(CellViews const& cell, double plane, double improved_from, Grid const& grid,
+                             DepthMap<float> depths)
+  : cell_(&cell), plane_(plane), improved_from_(improved_from), map_(std::move(depths)), region_(grid)
+{
+}
+
+bool ProjectionMap::seems_useful(Box const& box) const
+{
+  // Neither far behind the plane nor so far before it that little is left of it there.
+  double const d = plane_ - cell_->near;
+  if (box.max.z - cell_->near < 0.3 * d || box.min.z - cell_->near > 2 * d) return false;
+  Grid const& g = grid();
+  Rectangle const all{g.origin(), {g.column_line(g.width()), g.row_line(g.height())}};
+  Rectangle const r = common(common_view(*cell_, box, plane_), all);
+  double const x0 = std::ceil((r.low.x - g.origin().x) / g.step().x),
+               y0 = std::ceil((r.low.y - g.origin().y) / g.step().y),
+               x1 = std::floor((r.high.x - g.origin().x) / g.step().x),
+               y1 = std::floor((r.high.y - g.origin().y) / g.step().y);
+  if (!(x0 < x1 && y0 < y1)) return false;
+  PixelRectangle const pixels{static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1), static_cast<int>(y1)};
+  return !map_.hidden(pixels, static_cast<float>(box.min.z - cell_->near));
+}
+
+std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
+{
+  if (part.size() < 3) return 0;
+  // Look at it from each vertex, and see whether all views can have a pixel in common: a choice.
+  std::size_t const n = part.size();
+  views_.clear();
+  errors_.clear();
+  Range common_u{-inf, inf}, common_v{-inf, inf};
+  for (auto const& c : cell_->vertices) {
+    Range range_u, range_v;
+    Point2d error{0, 0};
+    for (auto const& p : part) {
+      double const ratio = (plane_ - c.z) / (p.at.z - c.z);
+      if (!in_domain(ratio)) return 0;
+      auto const u = view(c.x, p.at.x, p.error, ratio), v = view(c.y, p.at.y, p.error, ratio);
+      views_.push_back({u.value, v.value});
+      error = {std::max(error.x, u.error), std::max(error.y, v.error)};
+      range_u.add(u.value);
+      range_v.add(v.value);
+    }
+    errors_.push_back(error);
+    common_u = {std::max(common_u.low, range_u.low), std::min(common_u.high, range_u.high)};
+    common_v = {std::max(common_v.low, range_v.low), std::min(common_v.high, range_v.high)};
+  }
+  Grid const& g = grid();
+  if (!(std::min(common_u.high, g.column_line(g.width())) - std::max(common_u.low, g.origin().x) >= g.step().x &&
+        std::min(common_v.high, g.row_line(g.height())) - std::max(common_v.low, g.origin().y) >= g.step().y))
+    return 0;
+
+  region_.reset();
+  for (std::size_t i = 0; i < errors_.size() && !region_.bounds().is_empty(); ++i)
+    region_.keep(Outline{std::span(views_).subspan(i * n, n), errors_[i]}, Cover::inside);
+  region_.spans(spans_);
+  // The difference is rounded, which keeps the order of depths; equal ones may become of different ones, which is safe.
+  map_.write(spans_, PixelDepth::above(g, {.value = deepest(part) - cell_->near}));
+  return pixel_count(spans_);
+}
+
+bool ProjectionMap::hides(Box const& b) const
+{
+  if (!(b.min.z > cell_->near)) return false;
+  auto const u = view_range(cell_->profile_u, b.min.x, b.max.x, b.min.z, b.max.z, plane_);
+  auto const v = view_range(cell_->profile_v, b.min.y, b.max.y, b.min.z, b.max.z, plane_);
+  return hides({u.low, u.error}, {u.high, u.error}, {v.low, v.error}, {v.high, v.error}, b.min.z);
+}
+
+bool ProjectionMap::hides_improved(Box const& b) const
+{
+  if (!(b.min.z > cell_->near && b.min.z >= improved_from_) || b.max.z > plane_) return false;
+  double const far_ratio = (plane_ - cell_->near) / (b.max.z - cell_->near),
+               near_ratio = (plane_ - cell_->near) / (b.min.z - cell_->near);
+  if (!in_domain(far_ratio) || !in_domain(near_ratio)) return false;
+  // Supporting lines of the cell's side and the box: from low end to low end, from high end to high end.
+  auto const segment = [&](double cell_low, double cell_high, double low, double high) {
+    auto const a = view(cell_low, low, 0, near_ratio), b2 = view(cell_low, low, 0, far_ratio);
+    auto const c = view(cell_high, high, 0, near_ratio), d = view(cell_high, high, 0, far_ratio);
+    double const error = std::max({a.error, b2.error, c.error, d.error});
+    std::pair<Bounded, Bounded> ends{{std::min(a.value, b2.value), error}, {std::max(c.value, d.value), error}};
+    if (ends.first.value > ends.second.value) {  // beyond the vanishing point: any point between them
+      double const middle = ends.second.value + (ends.first.value - ends.second.value) / 2;
+      ends = {{middle, error}, {middle, error}};
+    }
+    return ends;
+  };
+  auto const [u0, u1] = segment(cell_->bounds.min.x, cell_->bounds.max.x, b.min.x, b.max.x);
+  auto const [v0, v1] = segment(cell_->bounds.min.y, cell_->bounds.max.y, b.min.y, b.max.y);
+  return hides(u0, u1, v0, v1, b.min.z);
+}
+
+bool ProjectionMap::hides(Bounded const& u0, Bounded const& u1, Bounded const& v0, Bounded const& v1, double w) const
+{
+  Grid const& g = grid();
+  double const low_u = in_pixels(u0, -1, g.origin().x, g.step().x), high_u = in_pixels(u1, 1, g.origin().x, g.step().x),
+               low_v = in_pixels(v0, -1, g.origin().y, g.step().y), high_v = in_pixels(v1, 1, g.origin().y, g.step().y);
+  constexpr double margin = pixel_margin;
+  if (!(low_u >= margin && low_v >= margin && high_u <= g.width() - margin && high_v <= g.height() - margin))
+    return false;
+  PixelRectangle const pixels{static_cast<int>(low_u - margin), static_cast<int>(low_v - margin),
+                              static_cast<int>(high_u + margin) + 1, static_cast<int>(high_v + margin) + 1};
+  return map_.hidden(pixels, -round_up<float>(-(w - cell_->near)));
+}
+
+}  // namespace visibility::extended_projection

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "visibility/methods/extended_projection/cell_views.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace visibility::extended_projection {
+
+/// Of a pixel: covers the roundings of in_pixels.
+inline constexpr double pixel_margin = 0x1p-10;
+
+struct Range {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  void add(double x)
+  {
+    low = x < low ? x : low;
+    high = x > high ? x : high;
+  }
+};
+
+/// The range of views of an interval of a coordinate from the points of a profile, and a bound of all errors. The view
+/// is monotone in the point and in the eye, so ends suffice (proofs/extended_projection.md, "Occludees").
+struct ViewRange {
+  double low = HUGE_VAL, high = -HUGE_VAL, error = 0;
+};
+
+inline ViewRange view_range(std::vector<Point2d> const& profile, double low, double high, double w0, double w1,
+                            double plane)
+{
+  Range range;
+  double size = 0;
+  for (auto const& c : profile)
+    for (double const w : {w0, w1}) {
+      double const ratio = (plane - c.y) / (w - c.y);
+      if (!in_domain(ratio)) return {-HUGE_VAL, HUGE_VAL, 0};
+      double const a = (low - c.x) * ratio, b = (high - c.x) * ratio;
+      range.add(c.x + a);
+      range.add(c.x + b);
+      size = std::max({size, std::fabs(a), std::fabs(b), std::fabs(c.x)});
+    }
+  return {range.low, range.high, 10 * 0x1p-53 * size + 0x1p-1000};
+}
+
+/// A coordinate in pixels, moved by the bound of its error times `side`; in the raster its own rounding is below 2^-39.
+inline double in_pixels(Bounded const& x, double side, double origin, double step)
+{
+  double const error = x.error * (1 + 0x1p-40) + 4 * 0x1p-53 * std::fabs(x.value);
+  return (x.value + side * error - origin) / step;
+}
+
+}  // namespace visibility::extended_projection
