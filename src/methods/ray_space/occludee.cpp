@@ -1,0 +1,168 @@
+#include "visibility/methods/ray_space/occludee.hpp"
+
+#include "visibility/methods/ray_space/rounding.hpp"
+
+#include <algorithm>
+
+namespace visibility::ray_space {
+
+namespace {
+
+bool in_reach(LocalPoint const& p)
+{
+  return std::fabs(p.u) < Frame::reach && std::fabs(p.v) < Frame::reach && std::fabs(p.z) < Frame::reach;
+}
+
+/// Distance from the back of the frame; nothing behind it is looked at.
+float near_of(double u, double back) { return std::max(0.0F, float_below(safely_below(u + back) - 0x1p-50 * back)); }
+float far_of(double u, double back) { return float_above(safely_above(u + back) + 0x1p-50 * back); }
+
+}  // namespace
+
+/// The part of the box that is not behind the cell; none if all is.
+auto OccludeeTest::localize(Frame const& frame, Box const& box, bool& in_domain) -> std::optional<LocalBox>
+{
+  LocalPoint const a = frame.local(box.min), b = frame.local(box.max);
+  in_domain = in_reach(a) && in_reach(b);
+  double const back = frame.half_length();
+  LocalBox out{safely_below(std::min(a.u, b.u)), safely_above(std::max(a.u, b.u)), safely_below(a.v), safely_above(b.v),
+               {}};
+  if (out.u1 < -back) return std::nullopt;
+  out.u0 = std::max(out.u0, -back);
+  out.extent = {near_of(out.u0, back), far_of(out.u1, back), float_below(safely_below(a.z)),
+                float_above(safely_above(b.z))};
+  return out;
+}
+
+/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false.
+template <class InRow>
+bool OccludeeTest::every_row(Frame const& frame, LocalBox const& b, InRow const& in_row)
+{
+  double const slack = frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)),
+                                     std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
+  int first = 0, last = frame.rows();
+  if (b.u0 > 0) {
+    // Lines with |s| at most that of the frame reach the box with slopes between these.
+    double const s = frame.s(frame.columns()) + slack, step = frame.t(1) - frame.t(0);
+    double const low = b.v0 - s, high = b.v1 + s;
+    double const t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
+    first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
+    last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
+  }
+  for (int row = first; row < last; ++row) {
+    double const t0 = frame.t(row), t1 = frame.t(row + 1);
+    auto const [least, most] = std::minmax({t0 * b.u0, t0 * b.u1, t1 * b.u0, t1 * b.u1});
+    int const from = frame.columns_below(b.v0 - most - slack), to = frame.columns_from(b.v1 - least + slack);
+    if (from < to && !in_row(row, from, to)) return false;
+  }
+  return true;
+}
+
+bool OccludeeTest::hidden(Box const& box)
+{
+  return std::ranges::all_of(families_, [&](Family const& f) {
+    bool in_domain = true;
+    auto const local = localize(*f.frame, box, in_domain);
+    if (!in_domain) return false;
+    return !local || every_row(*f.frame, *local, [&](int row, int from, int to) {
+      return f.map->first_visible(row, from, to, local->extent) == to;
+    });
+  });
+}
+
+bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
+{
+  return std::ranges::all_of(families_, [&](Family const& f) {
+    bool in_domain = true;
+    auto const local = localize(*f.frame, bounds, in_domain);
+    if (!in_domain) return false;
+    if (!local) return true;
+    localize(*f.frame, points);
+    return every_row(*f.frame, *local, [&](int row, int from, int to) {
+      double const t0 = f.frame->t(row), t1 = f.frame->t(row + 1);
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (std::size_t i = 0; i < points_.size(); ++i) {
+        auto const& p = points_[i];
+        low = std::min(low, p.v - std::max(t0 * p.u, t1 * p.u) - margin_[i]);
+        high = std::max(high, p.v - std::min(t0 * p.u, t1 * p.u) + margin_[i]);
+      }
+      from = std::max(from, f.frame->columns_below(low));
+      to = std::min(to, f.frame->columns_from(high));
+      for (int c = from; c < to; ++c) {
+        c = f.map->first_visible(row, c, to, local->extent);
+        if (c < to && !hidden_in_pixel(f, row, c)) return false;
+      }
+      return true;
+    });
+  });
+}
+
+void OccludeeTest::localize(Frame const& frame, std::span<Point3d const> points)
+{
+  points_.clear();
+  margin_.clear();
+  all_ahead_ = all_behind_ = true;
+  for (auto const& p : points) {
+    points_.push_back(frame.local(p));
+    margin_.push_back(frame.margin(points_.back()));
+    all_ahead_ &= points_.back().u >= 0;
+    all_behind_ &= points_.back().u <= 0;
+  }
+  low_side_.resize(points_.size());
+  high_side_.resize(points_.size());
+}
+
+void OccludeeTest::add(Frame const& frame, double u, double z, double du, double dz)
+{
+  double const back = frame.half_length();
+  extents_.push_back({near_of(u - du, back), far_of(u + du, back), float_below(safely_below(z - dz)),
+                      float_above(safely_above(z + dz))});
+}
+
+/// Fills extents_ with points whose hull contains what of the hull of points_ the lines of the pixel meet.
+void OccludeeTest::clip(Frame const& frame, int row, int column)
+{
+  extents_.clear();
+  std::size_t const n = points_.size();
+  double const s0 = frame.s(column), s1 = frame.s(column + 1);
+  // The lines of a pixel fill a wedge; which of them bound it changes in the middle of the cell.
+  double const low_t = frame.t(all_ahead_ ? row : row + 1), high_t = frame.t(all_ahead_ ? row + 1 : row);
+  bool const unclipped = !all_ahead_ && !all_behind_;
+  for (std::size_t i = 0; i < n; ++i) {
+    auto const& p = points_[i];
+    low_side_[i] = p.v - (s0 + low_t * p.u);   // >= 0 inside
+    high_side_[i] = (s1 + high_t * p.u) - p.v;
+    if (unclipped || (low_side_[i] >= -margin_[i] && high_side_[i] >= -margin_[i])) add(frame, p.u, p.z, 0, 0);
+  }
+  if (unclipped) return;
+  for (auto const* const side : {&low_side_, &high_side_})
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        double const a = (*side)[i], b = (*side)[j];
+        if (!(a < 0 && b > 0)) continue;
+        auto const &p = points_[i], &q = points_[j];
+        double const width = b - a, off = (margin_[i] + margin_[j]) / (4 * width) + 0x1p-50;
+        for (double const part : {std::max(0.0, -a / width - off), std::min(1.0, -a / width + off)})
+          add(frame, p.u + part * (q.u - p.u), p.z + part * (q.z - p.z),
+              0x1p-48 * (std::fabs(p.u) + std::fabs(q.u)), 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z)));
+      }
+}
+
+bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
+{
+  clip(*f.frame, row, column);
+  // A gate hides a convex set iff it hides its extreme points.
+  for (int k = 0; k < f.map->components(); ++k) {
+    Gate const g = f.map->gate(row, column, k);
+    auto const hides = [&](Extent const& e) {
+      double const near = e.near, far = e.far;
+      auto const line = [](GateEnd const& end, double u) { return double(end.base) + double(end.slope) * u; };
+      return e.near > g.beyond && line(g.top, near) > e.high && line(g.top, far) > e.high &&
+             (reaches_ground(g) || (line(g.bottom, near) < e.low && line(g.bottom, far) < e.low));
+    };
+    if (std::ranges::all_of(extents_, hides)) return true;
+  }
+  return false;
+}
+
+}  // namespace visibility::ray_space

@@ -1,0 +1,165 @@
+#include "visibility/methods/ray_space/occluder.hpp"
+
+#include "visibility/methods/ray_space/rounding.hpp"
+
+#include <array>
+
+namespace visibility::ray_space {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where the line (s, t) crosses the chord from p to q in plan. Requires: it passes below p and above q, by their margins.
+SlicePoint crossing(LocalPoint const& p, LocalPoint const& q, double margins, double scale, double s, double t)
+{
+  double const below = s + t * p.u - p.v, above = s + t * q.u - q.v;  // < 0, > 0
+  double const width = above - below, part = -below / width;
+  double const off = margins / (4 * width) + 0x1p-50;
+  double const u = p.u + part * (q.u - p.u), z = p.z + part * (q.z - p.z);
+  double const du = off * std::fabs(q.u - p.u) + 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u) + scale);
+  double const dz = off * std::fabs(q.z - p.z) + 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z) + scale);
+  return {u - du, u + du, z - dz, z + dz};
+}
+
+GateEnd top_end(double slope, double separating, CellSlice const& k, double back)
+{
+  GateEnd e{float_below(safely_below(slope)), 0, float_below(safely_below(separating))};
+  double const run = (e.slope >= 0 ? k.u_in : k.u_out) + back, drop = double(e.slope) * run;
+  e.base = float_below(k.height - drop - 0x1p-47 * (k.height + std::fabs(double(e.slope)) * 2 * back));
+  return e;
+}
+
+GateEnd bottom_end(double slope, double separating, CellSlice const& k, double back)
+{
+  if (slope == -infinity) return open_bottom;
+  GateEnd e{float_above(safely_above(slope)), 0, float_above(safely_above(separating))};
+  double const run = (e.slope >= 0 ? k.u_out : k.u_in) + back, drop = double(e.slope) * run;
+  e.base = float_above(-drop + 0x1p-47 * std::fabs(double(e.slope)) * 2 * back);
+  return e;
+}
+
+}  // namespace
+
+bool OccluderWriter::localize(Chords const& body, Frame const& frame)
+{
+  points_.clear();
+  margin_.clear();
+  ground_.clear();
+  bool ahead = false;
+  for (auto const& p : body.points) {
+    LocalPoint const q = frame.local(p);
+    if (!(std::fabs(q.u) < Frame::reach && std::fabs(q.v) < Frame::reach && std::fabs(q.z) < Frame::reach))
+      return false;
+    ahead |= q.u > -frame.half_length();
+    points_.push_back(q);
+    margin_.push_back(frame.margin(q));
+    ground_.push_back(p.z <= floor_);
+  }
+  return ahead;
+}
+
+void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to)
+{
+  LocalPoint const &p = points_[chord.i], &q = points_[chord.j];
+  double const margins = margin_[chord.i] + margin_[chord.j], scale = frame.half_length() + frame.height();
+  double const t0 = frame.t(row), t1 = frame.t(row + 1);
+  auto const at = [&](int line, double t) { return crossing(p, q, margins, scale, frame.s(line), t); };
+  std::array<SlicePoint, 4> corner{at(from, t0), at(from, t1), {}, {}};
+  for (int c = from; c < to; ++c, corner[0] = corner[2], corner[1] = corner[3]) {
+    corner[2] = at(c + 1, t0);
+    corner[3] = at(c + 1, t1);
+    auto const k = frame.cell_slice(row, c);
+    if (!k) continue;
+    double near = infinity, far = -infinity;
+    for (auto const& x : corner) near = std::min(near, x.u_low), far = std::max(far, x.u_high);
+    if (!(near - k->u_out > 0x1p-30 * frame.half_length())) continue;
+    auto& top = top_[static_cast<std::size_t>(c)];
+    auto& bottom = bottom_[static_cast<std::size_t>(c)];
+    if (chord.top) {
+      End e{infinity, infinity, far};
+      for (auto const& x : corner) {
+        e.slope = std::min(e.slope, least_upper_tangent(*k, x));
+        e.separating = std::min(e.separating, least_lower_tangent(*k, x));
+      }
+      if (e.slope > top.slope) top = e;
+    }
+    if (chord.ground) {
+      if (bottom.slope != -infinity || far < bottom.far) bottom = {-infinity, -infinity, far};
+    } else if (chord.bottom && bottom.slope != -infinity && options_.umbra == Umbra::full) {
+      End e{-infinity, -infinity, far};
+      for (auto const& x : corner) {
+        e.slope = std::max(e.slope, greatest_lower_tangent(*k, x));
+        e.separating = std::max(e.separating, greatest_upper_tangent(*k, x));
+      }
+      if (e.slope < bottom.slope) bottom = e;
+    }
+  }
+}
+
+bool OccluderWriter::is_gap(int column) const
+{
+  auto const c = static_cast<std::size_t>(column);
+  return top_[c].slope == -infinity || bottom_[c].slope == infinity;
+}
+
+void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps)
+{
+  for (auto const& chord : chords) {
+    std::size_t const a = chord.from, b = chord.to;
+    for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+      int const from = above_[j], to = below_[i];
+      if (from >= to) continue;
+      RowChord const row_chord{i, j, chord.top, chord.bottom, ground_[a] && ground_[b]};
+      if (!only_gaps) {
+        cross_row(frame, row, row_chord, from, to);
+        continue;
+      }
+      for (int c = from; c < to; ++c)
+        if (is_gap(c)) cross_row(frame, row, row_chord, c, c + 1);
+    }
+  }
+}
+
+std::size_t OccluderWriter::write(Chords const& body, Frame const& frame, OcclusionMap& map)
+{
+  if (!localize(body, frame)) return 0;
+  std::size_t const n = points_.size();
+  below_.resize(n);
+  above_.resize(n);
+  top_.resize(static_cast<std::size_t>(frame.columns()));
+  bottom_.resize(static_cast<std::size_t>(frame.columns()));
+  std::size_t written = 0;
+  for (int row = 0; row < frame.rows(); ++row) {
+    double const t0 = frame.t(row), t1 = frame.t(row + 1);
+    int from = frame.columns(), to = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      auto const& p = points_[i];
+      double const x = t0 * p.u, y = t1 * p.u;
+      below_[i] = frame.columns_below(p.v - std::max(x, y) - margin_[i]);
+      above_[i] = frame.columns_from(p.v - std::min(x, y) + margin_[i]);
+      from = std::min(from, above_[i]);
+      to = std::max(to, below_[i]);
+    }
+    if (from >= to) continue;
+    for (int c = from; c < to; ++c) {
+      top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
+      bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
+    }
+    add_chords(body.edges, frame, row, false);
+    add_chords(body.others, frame, row, true);
+    for (int c = from; c < to; ++c) {
+      if (is_gap(c)) continue;
+      auto const k = frame.cell_slice(row, c);
+      auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
+      double const back = frame.half_length(), far = std::max(top.far, bottom.far);
+      map.insert(row, c,
+                 {top_end(top.slope, top.separating, *k, back), bottom_end(bottom.slope, bottom.separating, *k, back),
+                  float_above(safely_above(far + back))});
+      ++written;
+    }
+  }
+  return written;
+}
+
+}  // namespace visibility::ray_space
