@@ -3,6 +3,7 @@
 #include "count_option.hpp"
 
 #include "visibility/methods/exact_25d/method.hpp"
+#include "visibility/methods/ray_space/method.hpp"
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -27,6 +28,17 @@ strong_occlusion::Options strong_occlusion_options(MethodArguments const& a)
   return options;
 }
 
+ray_space::Options ray_space_options(MethodArguments const& a)
+{
+  ray_space::Options options;
+  options.resolution = a.resolution;
+  options.components = a.components;
+  options.umbra = a.umbra == "half" ? ray_space::Umbra::half : ray_space::Umbra::full;
+  options.bounds = a.bounds == "linear" ? ray_space::Bounds::linear : ray_space::Bounds::exact;
+  options.granularity = ray_space::granularity_from_string(a.granularity);
+  return options;
+}
+
 template <Arithmetic A>
 std::vector<CellSet> refine_strong_occlusion(strong_occlusion::Options fine, strong_occlusion::Granularity coarse,
                                              PreparedScene const& scene, Partition const& partition,
@@ -48,7 +60,7 @@ void require_one_of(std::string const& option, std::string const& value, std::ve
 
 }  // namespace
 
-std::vector<std::string> method_names() { return {"strong-occlusion", "exact-2.5d", "sampling"}; }
+std::vector<std::string> method_names() { return {"strong-occlusion", "exact-2.5d", "ray-space", "sampling"}; }
 
 std::vector<std::string> applicable_methods(Scene const& scene)
 {
@@ -59,13 +71,17 @@ std::vector<std::string> applicable_methods(Scene const& scene)
 
 void MethodArguments::add_to(CLI::App& command)
 {
-  command.add_option("--method", method, "strong-occlusion (default), exact-2.5d or sampling");
+  command.add_option("--method", method, "strong-occlusion (default), exact-2.5d, ray-space or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
-  command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
+  command.add_option("--granularity", granularity, "strong-occlusion, ray-space: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
                      "strong-occlusion: the same for all but the smallest --cell-size (default part)");
   command.add_flag("--no-inner-bodies", no_inner_bodies,
-                   "strong-occlusion: do not look for convex occluders inside non-convex objects");
+                   "strong-occlusion, ray-space: do not look for convex occluders inside non-convex objects");
+  command.add_option("--resolution", resolution, "ray-space: side of the map of sight lines in pixels (default 512)");
+  command.add_option("--components", components, "ray-space: umbrae kept in each pixel (default 2)");
+  command.add_option("--umbra", umbra, "ray-space: full (default), or half: what no sight line passes below");
+  command.add_option("--bounds", bounds, "ray-space: exact (default) or linear, the paper's approximation");
   std::string names;
   for (auto const& [name, optimization] : optimizations) names += (names.empty() ? "" : ", ") + std::string(name);
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
@@ -92,6 +108,15 @@ void MethodArguments::validate() const
   std::vector<std::string> names;
   for (auto const& [name, optimization] : optimizations) names.emplace_back(name);
   for (auto const& name : without) require_one_of("--without", name, names);
+  require_one_of("--umbra", umbra, {"half", "full"});
+  require_one_of("--bounds", bounds, {"exact", "linear"});
+  if (method == "ray-space" && arithmetic != "filtered")
+    throw BadInput("--arithmetic does not apply to ray-space: it rounds every bound to the safe side");
+  if (method == "ray-space") try {
+      ray_space_options(*this).validate();
+    } catch (std::invalid_argument const& e) {
+      throw BadInput("--method " + std::string(e.what()));
+    }
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
   if (method != "strong-occlusion" && !without.empty()) throw BadInput("--without applies to strong-occlusion only");
@@ -109,6 +134,10 @@ std::map<std::string, std::string> MethodArguments::options() const
   if (method == "sampling")
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
   if (method == "exact-2.5d") return {};
+  if (method == "ray-space")
+    return {{"resolution", std::to_string(resolution)}, {"components", std::to_string(components)},
+            {"umbra", umbra},                           {"bounds", bounds},
+            {"granularity", granularity},               {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   std::map<std::string, std::string> out{{"granularity", granularity},
                                          {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
@@ -136,7 +165,7 @@ MethodRunner::MethodRunner(MethodArguments arguments, Scene const& scene, Scene 
     height_field_.emplace(scene);
     require_height_field(*height_field_);
     if (occludees != nullptr) occludees_.emplace(targets_.emplace(*occludees));
-  } else if (arguments_.method == "strong-occlusion" && !arguments_.no_inner_bodies) {
+  } else if (arguments_.method != "sampling" && !arguments_.no_inner_bodies) {
     scene_.emplace(scene, InnerBodyOptions{});
   } else {
     scene_.emplace(scene);
@@ -151,7 +180,9 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
     return Sampling(
       {.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed, .progress = progress})(*rays_,
                                                                                                                cell);
-  auto set = height_field_ ? exact_25d(cell) : strong_occlusion(cell);
+  auto set = height_field_                       ? exact_25d(cell)
+             : arguments_.method == "ray-space" ? RaySpace(ray_space_options(arguments_))(*scene_, cell)
+                                                 : strong_occlusion(cell);
   progress(1);
   return set;
 }

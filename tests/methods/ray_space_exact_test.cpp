@@ -22,7 +22,7 @@ ray_space::Options any_options(Random& random)
   o.components = random.between(1, 5);
   o.umbra = random.chance(0.5) ? ray_space::Umbra::half : ray_space::Umbra::full;
   o.bounds = random.chance(0.5) ? ray_space::Bounds::exact : ray_space::Bounds::linear;
-  o.granularity = static_cast<ray_space::Granularity>(random.below(3));
+  o.granularity = static_cast<ray_space::Granularity>(random.below(4));
   return o;
 }
 

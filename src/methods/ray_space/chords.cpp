@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
 
 namespace visibility::ray_space {
 
@@ -94,15 +93,25 @@ void chords_of(ConvexPolyhedron const& p, Chords& out)
     return all_pairs(out);
   }
   out.points = p.vertices;
-  std::set<std::pair<std::uint16_t, std::uint16_t>> edges;
-  for (auto const& e : p.edges) {
-    edges.emplace(index(e.from), index(e.to));
-    out.edges.push_back({index(e.from), index(e.to), true, true});
+  // The upper ends of slices lie in facets that look up, the lower ones in facets that look down (rounded: a choice).
+  std::vector<Chord> edges;
+  for (auto const& e : p.edges) edges.push_back({index(e.from), index(e.to), false, false});
+  for (auto const& f : p.facets) {
+    auto const &a = p.vertices[f.vertices[0]], &b = p.vertices[f.vertices[1]], &c = p.vertices[f.vertices[2]];
+    double const up = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    for (auto const e : f.edges) {
+      auto& chord = edges[static_cast<std::size_t>(e >= 0 ? e : ~e)];
+      chord.top |= up > 0;
+      chord.bottom |= up < 0;
+    }
   }
+  for (auto const& e : edges) (e.top || e.bottom ? out.edges : out.others).push_back(e);
+  for (auto& e : out.others) e.top = e.bottom = true;
   if (p.vertices.size() > 12) return;
   for (std::size_t i = 0; i < p.vertices.size(); ++i)
     for (std::size_t j = i + 1; j < p.vertices.size(); ++j)
-      if (!edges.contains({index(i), index(j)})) out.others.push_back({index(i), index(j), true, true});
+      if (std::ranges::none_of(p.edges, [&](auto const& e) { return e.from == i && e.to == j; }))
+        out.others.push_back({index(i), index(j), true, true});
 }
 
 void chords_of(Triangle const& t, Chords& out)

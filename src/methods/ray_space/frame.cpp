@@ -43,6 +43,8 @@ Frame::Frame(Box const& cell, int family, int rows, int columns)
   double const t = h_ / a_ * up;
   t_ = lines(t, rows);
   s_ = lines((h_ + t * a_) * up, columns);
+  for (int row = 0; row < rows; ++row)
+    for (int column = 0; column < columns; ++column) slices_.push_back(make_slice(row, column));
 }
 
 int Frame::columns_below(double limit) const
@@ -69,7 +71,8 @@ int Frame::columns_from(double limit) const
   return c;
 }
 
-std::optional<CellSlice> Frame::cell_slice(int row, int column) const
+/// Empty, u_in > u_out, if no line of the pixel meets the cell.
+CellSlice Frame::make_slice(int row, int column) const
 {
   double const s0 = s(column), s1 = s(column + 1), t0 = t(row), t1 = t(row + 1);
   CellSlice k{-a_, a_, height_};
@@ -84,7 +87,7 @@ std::optional<CellSlice> Frame::cell_slice(int row, int column) const
     k.u_in = std::max(-a_, lower(enter <= 0 ? enter / flat : enter / steep));
   }
   double const nearest = s0 > 0 ? s0 : s1 < 0 ? -s1 : 0;
-  if (nearest * down > (h_ + steep * a_) * up || k.u_in > k.u_out) return std::nullopt;
+  if (nearest * down > (h_ + steep * a_) * up) k.u_in = 2 * a_;
   return k;
 }
 

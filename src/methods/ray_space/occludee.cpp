@@ -1,69 +1,16 @@
 #include "visibility/methods/ray_space/occludee.hpp"
 
-#include "visibility/methods/ray_space/rounding.hpp"
+#include "visibility/methods/ray_space/footprint.hpp"
 
 #include <algorithm>
 
 namespace visibility::ray_space {
 
-namespace {
-
-bool in_reach(LocalPoint const& p)
-{
-  return std::fabs(p.u) < Frame::reach && std::fabs(p.v) < Frame::reach && std::fabs(p.z) < Frame::reach;
-}
-
-/// Distance from the back of the frame; nothing behind it is looked at.
-float near_of(double u, double back) { return std::max(0.0F, float_below(safely_below(u + back) - 0x1p-50 * back)); }
-float far_of(double u, double back) { return float_above(safely_above(u + back) + 0x1p-50 * back); }
-
-}  // namespace
-
-/// The part of the box that is not behind the cell; none if all is.
-auto OccludeeTest::localize(Frame const& frame, Box const& box, bool& in_domain) -> std::optional<LocalBox>
-{
-  LocalPoint const a = frame.local(box.min), b = frame.local(box.max);
-  in_domain = in_reach(a) && in_reach(b);
-  double const back = frame.half_length();
-  LocalBox out{safely_below(std::min(a.u, b.u)), safely_above(std::max(a.u, b.u)), safely_below(a.v), safely_above(b.v),
-               {}};
-  if (out.u1 < -back) return std::nullopt;
-  out.u0 = std::max(out.u0, -back);
-  out.extent = {near_of(out.u0, back), far_of(out.u1, back), float_below(safely_below(a.z)),
-                float_above(safely_above(b.z))};
-  return out;
-}
-
-/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false.
-template <class InRow>
-bool OccludeeTest::every_row(Frame const& frame, LocalBox const& b, InRow const& in_row)
-{
-  double const slack = frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)),
-                                     std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
-  int first = 0, last = frame.rows();
-  if (b.u0 > 0) {
-    // Lines with |s| at most that of the frame reach the box with slopes between these.
-    double const s = frame.s(frame.columns()) + slack, step = frame.t(1) - frame.t(0);
-    double const low = b.v0 - s, high = b.v1 + s;
-    double const t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
-    first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
-    last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
-  }
-  for (int row = first; row < last; ++row) {
-    double const t0 = frame.t(row), t1 = frame.t(row + 1);
-    auto const [least, most] = std::minmax({t0 * b.u0, t0 * b.u1, t1 * b.u0, t1 * b.u1});
-    int const from = frame.columns_below(b.v0 - most - slack), to = frame.columns_from(b.v1 - least + slack);
-    if (from < to && !in_row(row, from, to)) return false;
-  }
-  return true;
-}
-
 bool OccludeeTest::hidden(Box const& box)
 {
   return std::ranges::all_of(families_, [&](Family const& f) {
-    bool in_domain = true;
-    auto const local = localize(*f.frame, box, in_domain);
-    if (!in_domain) return false;
+    if (!in_reach(*f.frame, box)) return false;
+    auto const local = local_box(*f.frame, box);
     return !local || every_row(*f.frame, *local, [&](int row, int from, int to) {
       return f.map->first_visible(row, from, to, local->extent) == to;
     });
@@ -73,9 +20,8 @@ bool OccludeeTest::hidden(Box const& box)
 bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
 {
   return std::ranges::all_of(families_, [&](Family const& f) {
-    bool in_domain = true;
-    auto const local = localize(*f.frame, bounds, in_domain);
-    if (!in_domain) return false;
+    if (!in_reach(*f.frame, bounds)) return false;
+    auto const local = local_box(*f.frame, bounds);
     if (!local) return true;
     localize(*f.frame, points);
     return every_row(*f.frame, *local, [&](int row, int from, int to) {

@@ -1,8 +1,9 @@
 #include "visibility/methods/ray_space/occluder.hpp"
 
-#include "visibility/methods/ray_space/rounding.hpp"
+#include "visibility/methods/ray_space/footprint.hpp"
 
 #include <array>
+#include <span>
 
 namespace visibility::ray_space {
 
@@ -14,8 +15,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 SlicePoint crossing(LocalPoint const& p, LocalPoint const& q, double margins, double scale, double s, double t)
 {
   double const below = s + t * p.u - p.v, above = s + t * q.u - q.v;  // < 0, > 0
-  double const width = above - below, part = -below / width;
-  double const off = margins / (4 * width) + 0x1p-50;
+  double const inverse = 1 / (above - below), part = -below * inverse;
+  double const off = 0.25 * margins * inverse + 0x1p-50;
   double const u = p.u + part * (q.u - p.u), z = p.z + part * (q.z - p.z);
   double const du = off * std::fabs(q.u - p.u) + 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u) + scale);
   double const dz = off * std::fabs(q.z - p.z) + 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z) + scale);
@@ -65,30 +66,42 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
   double const margins = margin_[chord.i] + margin_[chord.j], scale = frame.half_length() + frame.height();
   double const t0 = frame.t(row), t1 = frame.t(row + 1);
   auto const at = [&](int line, double t) { return crossing(p, q, margins, scale, frame.s(line), t); };
-  std::array<SlicePoint, 4> corner{at(from, t0), at(from, t1), {}, {}};
-  for (int c = from; c < to; ++c, corner[0] = corner[2], corner[1] = corner[3]) {
+  std::array<SlicePoint, 4> corner;
+  int last = -1;  // the pixel whose upper corners are known
+  for (int c = from; c < to; ++c) {
+    if (open_[static_cast<std::size_t>(c)] == 0) continue;
+    auto const* const k = frame.cell_slice(row, c);
+    if (k == nullptr) continue;
+    if (last == c - 1 && last >= 0)
+      corner[0] = corner[2], corner[1] = corner[3];
+    else
+      corner[0] = at(c, t0), corner[1] = at(c, t1);
     corner[2] = at(c + 1, t0);
     corner[3] = at(c + 1, t1);
-    auto const k = frame.cell_slice(row, c);
-    if (!k) continue;
-    double near = infinity, far = -infinity;
-    for (auto const& x : corner) near = std::min(near, x.u_low), far = std::max(far, x.u_high);
-    if (!(near - k->u_out > 0x1p-30 * frame.half_length())) continue;
+    last = c;
+    SlicePoint all = corner[0];
+    for (auto const& x : corner) {
+      all.u_low = std::min(all.u_low, x.u_low), all.u_high = std::max(all.u_high, x.u_high);
+      all.z_low = std::min(all.z_low, x.z_low), all.z_high = std::max(all.z_high, x.z_high);
+    }
+    if (!(all.u_low - k->u_out > 0x1p-30 * frame.half_length())) continue;
+    // At constant height the tangents are extreme where the distance is.
+    std::span<SlicePoint const> const extremes = p.z == q.z ? std::span(&all, 1) : std::span<SlicePoint const>(corner);
     auto& top = top_[static_cast<std::size_t>(c)];
     auto& bottom = bottom_[static_cast<std::size_t>(c)];
     if (chord.top) {
-      End e{infinity, infinity, far};
-      for (auto const& x : corner) {
+      End e{infinity, infinity, all.u_high};
+      for (auto const& x : extremes) {
         e.slope = std::min(e.slope, least_upper_tangent(*k, x));
         e.separating = std::min(e.separating, least_lower_tangent(*k, x));
       }
       if (e.slope > top.slope) top = e;
     }
     if (chord.ground) {
-      if (bottom.slope != -infinity || far < bottom.far) bottom = {-infinity, -infinity, far};
+      if (bottom.slope != -infinity || all.u_high < bottom.far) bottom = {-infinity, -infinity, all.u_high};
     } else if (chord.bottom && bottom.slope != -infinity && options_.umbra == Umbra::full) {
-      End e{-infinity, -infinity, far};
-      for (auto const& x : corner) {
+      End e{-infinity, -infinity, all.u_high};
+      for (auto const& x : extremes) {
         e.slope = std::max(e.slope, greatest_lower_tangent(*k, x));
         e.separating = std::max(e.separating, greatest_upper_tangent(*k, x));
       }
@@ -108,7 +121,7 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
   for (auto const& chord : chords) {
     std::size_t const a = chord.from, b = chord.to;
     for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
-      int const from = above_[j], to = below_[i];
+      int const from = frame.columns_from(above_[j]), to = frame.columns_below(below_[i]);
       if (from >= to) continue;
       RowChord const row_chord{i, j, chord.top, chord.bottom, ground_[a] && ground_[b]};
       if (!only_gaps) {
@@ -121,43 +134,57 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
   }
 }
 
-std::size_t OccluderWriter::write(Chords const& body, Frame const& frame, OcclusionMap& map)
+std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map)
 {
-  if (!localize(body, frame)) return 0;
-  std::size_t const n = points_.size();
-  below_.resize(n);
-  above_.resize(n);
-  top_.resize(static_cast<std::size_t>(frame.columns()));
-  bottom_.resize(static_cast<std::size_t>(frame.columns()));
+  if (!in_reach(frame, bounds) || !localize(body, frame)) return 0;
+  auto const box = local_box(frame, bounds);
+  if (!box) return 0;
+  std::size_t const columns = static_cast<std::size_t>(frame.columns());
+  below_.resize(points_.size());
+  above_.resize(points_.size());
+  top_.resize(columns);
+  bottom_.resize(columns);
+  open_.resize(columns);
   std::size_t written = 0;
-  for (int row = 0; row < frame.rows(); ++row) {
+  every_row(frame, *box, [&](int row, int, int) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
-    int from = frame.columns(), to = 0;
-    for (std::size_t i = 0; i < n; ++i) {
+    double least = infinity, most = -infinity;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
       auto const& p = points_[i];
       double const x = t0 * p.u, y = t1 * p.u;
-      below_[i] = frame.columns_below(p.v - std::max(x, y) - margin_[i]);
-      above_[i] = frame.columns_from(p.v - std::min(x, y) + margin_[i]);
-      from = std::min(from, above_[i]);
-      to = std::max(to, below_[i]);
+      below_[i] = p.v - std::max(x, y) - margin_[i];
+      above_[i] = p.v - std::min(x, y) + margin_[i];
+      least = std::min(least, above_[i]);
+      most = std::max(most, below_[i]);
     }
-    if (from >= to) continue;
-    for (int c = from; c < to; ++c) {
-      top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
-      bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
-    }
-    add_chords(body.edges, frame, row, false);
-    add_chords(body.others, frame, row, true);
-    for (int c = from; c < to; ++c) {
-      if (is_gap(c)) continue;
-      auto const k = frame.cell_slice(row, c);
-      auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
-      double const back = frame.half_length(), far = std::max(top.far, bottom.far);
-      map.insert(row, c,
-                 {top_end(top.slope, top.separating, *k, back), bottom_end(bottom.slope, bottom.separating, *k, back),
-                  float_above(safely_above(far + back))});
-      ++written;
-    }
+    if (!(least < most)) return true;
+    int const from = frame.columns_from(least), to = frame.columns_below(most);
+    if (from < to && map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)]))
+      written += write_row(body, frame, map, row, from, to);
+    return true;
+  });
+  return written;
+}
+
+std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from,
+                                      int to)
+{
+  for (int c = from; c < to; ++c) {
+    top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
+    bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
+  }
+  add_chords(body.edges, frame, row, false);
+  add_chords(body.others, frame, row, true);
+  std::size_t written = 0;
+  double const back = frame.half_length();
+  for (int c = from; c < to; ++c) {
+    if (is_gap(c)) continue;
+    auto const& k = *frame.cell_slice(row, c);
+    auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
+    map.insert(row, c,
+               {top_end(top.slope, top.separating, k, back), bottom_end(bottom.slope, bottom.separating, k, back),
+                float_above(safely_above(std::max(top.far, bottom.far) + back))});
+    ++written;
   }
   return written;
 }

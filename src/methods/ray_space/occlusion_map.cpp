@@ -85,29 +85,44 @@ void OcclusionMap::insert(int row, int c, Gate gate)
   for (int k = 0; k < components_; ++k) set(row, c, k, k < n ? kept[static_cast<std::size_t>(k)] : empty);
 }
 
+/// Sets hidden[i] where one gate of pixel from + i hides the extent.
+void OcclusionMap::hide(int row, int from, int n, Extent const& e, unsigned char* hidden) const
+{
+  double const near = e.near, far = e.far, low = e.low, high = e.high;
+  for (int k = 0; k < components_; ++k) {
+    float const *const b = column(row, k, beyond) + from, *const ts = column(row, k, top_slope) + from,
+                *const tb = column(row, k, top_base) + from, *const bs = column(row, k, bottom_slope) + from,
+                *const bb = column(row, k, bottom_base) + from;
+    // Products of two floats are exact, and a sum that rounds to more than a float is more than it.
+    for (int i = 0; i < n; ++i) {
+      bool const behind = near > b[i];
+      bool const below = (double(tb[i]) + double(ts[i]) * near > high) & (double(tb[i]) + double(ts[i]) * far > high);
+      bool const above = (double(bb[i]) + double(bs[i]) * near < low) & (double(bb[i]) + double(bs[i]) * far < low);
+      hidden[i] |= static_cast<unsigned char>(behind & below & above);
+    }
+  }
+}
+
 int OcclusionMap::first_visible(int row, int from, int to, Extent const& e) const
 {
   constexpr int block = 32;
-  double const near = e.near, far = e.far, low = e.low, high = e.high;
   for (int start = from; start < to; start += block) {
     int const n = std::min(block, to - start);
     std::array<unsigned char, block> hidden{};
-    for (int k = 0; k < components_; ++k) {
-      float const *const b = column(row, k, beyond) + start, *const ts = column(row, k, top_slope) + start,
-                  *const tb = column(row, k, top_base) + start, *const bs = column(row, k, bottom_slope) + start,
-                  *const bb = column(row, k, bottom_base) + start;
-      // Products of two floats are exact, and a sum that rounds to more than a float is more than it.
-      for (int i = 0; i < n; ++i) {
-        bool const behind = near > b[i];
-        bool const below = double(tb[i]) + double(ts[i]) * near > high && double(tb[i]) + double(ts[i]) * far > high;
-        bool const above = double(bb[i]) + double(bs[i]) * near < low && double(bb[i]) + double(bs[i]) * far < low;
-        hidden[static_cast<std::size_t>(i)] |= static_cast<unsigned char>(behind & below & above);
-      }
-    }
+    hide(row, start, n, e, hidden.data());
     for (int i = 0; i < n; ++i)
       if (hidden[static_cast<std::size_t>(i)] == 0) return start + i;
   }
   return to;
+}
+
+bool OcclusionMap::visible_pixels(int row, int from, int to, Extent const& e, unsigned char* open) const
+{
+  std::fill(open, open + (to - from), static_cast<unsigned char>(0));
+  hide(row, from, to - from, e, open);
+  bool any = false;
+  for (int i = 0; i < to - from; ++i) any |= (open[i] ^= 1) != 0;
+  return any;
 }
 
 }  // namespace visibility::ray_space

@@ -1,6 +1,9 @@
 #include "visibility/methods/ray_space/search.hpp"
 
+#include "visibility/scene/faces.hpp"
+
 #include <algorithm>
+#include <array>
 #include <queue>
 
 namespace visibility::ray_space {
@@ -106,8 +109,24 @@ bool Search::is_part_visible(ConvexBodies::Body const& body, Box const& bounds)
 {
   ++counts_.parts;
   vertices_.clear();
-  scene_->bodies().append_vertices(body, vertices_);
-  return !test_.hidden(bounds, vertices_);
+  auto const& bodies = scene_->bodies();
+  bodies.append_vertices(body, vertices_);
+  if (test_.hidden(bounds, vertices_)) return false;
+  if (options_.granularity == Granularity::part || !has_polygons(body)) return true;
+  return any_face_towards(*cell_, bodies, body, [&](std::span<Point3d const> face) {
+    if (options_.granularity == Granularity::face) return is_polygon_visible(face);
+    for (std::size_t i = 2; i < face.size(); ++i)
+      if (is_polygon_visible(std::array{face[0], face[i - 1], face[i]})) return true;
+    return false;
+  });
+}
+
+bool Search::is_polygon_visible(std::span<Point3d const> polygon)
+{
+  ++counts_.parts;
+  Box bounds;
+  for (auto const& p : polygon) bounds.extend(p);
+  return meet(bounds, cell_->bounds()) || !test_.hidden(bounds, polygon);
 }
 
 void Search::enter(std::uint32_t object)
@@ -115,10 +134,11 @@ void Search::enter(std::uint32_t object)
   auto const& occluders = scene_->occluders();
   Box const& owner = scene_->object_bounds()[object];
   for (auto i = occluders.first_of_object()[object]; i < occluders.first_of_object()[object + 1]; ++i) {
-    if (!occluders.blocks_from(*cell_, i, owner)) continue;
+    Box const& bounds = occluders.bounds()[i];
+    if (!occluders.blocks_from(*cell_, i, owner) || (!meet(bounds, cell_->bounds()) && test_.hidden(bounds))) continue;
     occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
     ++counts_.occluders;
-    for (std::size_t f = 0; f < frames_.size(); ++f) counts_.pixels += writer_.write(chords_, frames_[f], maps_[f]);
+    for (std::size_t f = 0; f < frames_.size(); ++f) counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f]);
   }
 }
 
@@ -127,12 +147,8 @@ std::vector<std::uint32_t> Search::triangles_of(std::vector<std::uint32_t> const
   std::vector<std::uint32_t> out;
   Scene const& scene = scene_->scene();
   for (auto const o : objects)
-    for (auto i = scene.objects[o].triangles.first; i < scene.objects[o].triangles.last; ++i) {
-      ++counts_.parts;
-      Triangle const triangle = scene.triangle(i);
-      Box const bounds = bounding_box(triangle);
-      if (meet(bounds, cell_->bounds()) || !test_.hidden(bounds, triangle.vertices)) out.push_back(i);
-    }
+    for (auto i = scene.objects[o].triangles.first; i < scene.objects[o].triangles.last; ++i)
+      if (is_polygon_visible(scene.triangle(i).vertices)) out.push_back(i);
   return out;
 }
 

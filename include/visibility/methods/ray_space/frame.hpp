@@ -3,7 +3,6 @@
 #include "visibility/geometry/box.hpp"
 #include "visibility/methods/ray_space/vertical_slice.hpp"
 
-#include <optional>
 #include <vector>
 
 namespace visibility::ray_space {
@@ -47,8 +46,12 @@ public:
   int columns_below(double limit) const;
   int columns_from(double limit) const;
 
-  /// A rectangle that contains the cell's slice for every line of the pixel; none if no line of it meets the cell.
-  std::optional<CellSlice> cell_slice(int row, int column) const;
+  /// A rectangle that contains the cell's slice for every line of the pixel; null if no line of it meets the cell.
+  CellSlice const* cell_slice(int row, int column) const
+  {
+    auto const& k = slices_[static_cast<std::size_t>(row) * (s_.size() - 1) + static_cast<std::size_t>(column)];
+    return k.u_in <= k.u_out ? &k : nullptr;
+  }
 
   /// What |s + t u - v| may be off by for a local point, over the whole map; 8 times it is asked for (the proof says
   /// why that is enough).
@@ -58,12 +61,15 @@ public:
   }
 
 private:
+  CellSlice make_slice(int row, int column) const;
+
   double Point3d::*forward_;
   double Point3d::*sideways_;
   double sign_;
   Point3d centre_;
   double bottom_, a_, h_, height_;
   std::vector<double> s_, t_;
+  std::vector<CellSlice> slices_;
 };
 
 }  // namespace visibility::ray_space

@@ -2,7 +2,6 @@
 
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -27,14 +26,6 @@ public:
   bool hidden(Box const& bounds, std::span<Point3d const> points);
 
 private:
-  struct LocalBox {
-    double u0, u1, v0, v1;
-    Extent extent;
-  };
-  static std::optional<LocalBox> localize(Frame const& frame, Box const& box, bool& in_domain);
-  template <class InRow>
-  static bool every_row(Frame const& frame, LocalBox const& box, InRow const& in_row);
-
   void localize(Frame const& frame, std::span<Point3d const> points);
   bool hidden_in_pixel(Family const& family, int row, int column);
   void clip(Frame const& frame, int row, int column);

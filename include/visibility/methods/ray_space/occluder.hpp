@@ -16,8 +16,9 @@ public:
   /// lines below.
   OccluderWriter(double floor, Options const& options) : floor_(floor), options_(options) {}
 
-  /// Returns the number of pixels written. Points out of the domain of the frame make the body no occluder.
-  std::size_t write(Chords const& body, Frame const& frame, OcclusionMap& map);
+  /// Returns the number of pixels written; those in which all of `bounds`, which contains the body, is hidden are left
+  /// out, since it can add nothing there. Points out of the domain of the frame make the body no occluder.
+  std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map);
 
 private:
   /// The extremes of one end of the slices of a pixel. `far`: the largest u.
@@ -31,6 +32,7 @@ private:
   };
 
   bool localize(Chords const& body, Frame const& frame);
+  std::size_t write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
   void cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to);
   void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps);
   bool is_gap(int column) const;
@@ -40,8 +42,10 @@ private:
   std::vector<LocalPoint> points_;
   std::vector<double> margin_;
   std::vector<bool> ground_;
-  std::vector<int> below_, above_;  // per point: lines of columns [0, below) pass below it, from `above` on above
-  std::vector<End> top_, bottom_;   // per column
+  std::vector<double> below_, above_;  // per point, in one row: lines with s up to the one pass below it, from the other
+                                       // on above
+  std::vector<End> top_, bottom_;      // per column
+  std::vector<unsigned char> open_;    // per column: not hidden yet
 };
 
 }  // namespace visibility::ray_space

@@ -22,6 +22,9 @@ public:
   /// The first of the pixels [from, to) of the row in which no single gate hides the extent; `to` if there is none.
   int first_visible(int row, int from, int to, Extent const& extent) const;
 
+  /// The same for all of the pixels: open[i - from] is 0 where one gate hides the extent. Returns whether any is not.
+  bool visible_pixels(int row, int from, int to, Extent const& extent, unsigned char* open) const;
+
   int components() const { return components_; }
   /// A gate of a pixel; one that hides nothing has beyond = infinity.
   Gate gate(int row, int column, int component) const;
@@ -41,6 +44,7 @@ private:
   {
     return const_cast<float*>(static_cast<OcclusionMap const*>(this)->column(row, component, f));
   }
+  void hide(int row, int from, int n, Extent const& extent, unsigned char* hidden) const;
   void set(int row, int column, int component, Gate const& gate);
 
   int columns_, components_;

@@ -17,14 +17,28 @@ enum class Bounds {
   linear  ///< the paper's approximation: distance or height replaced by a constant, the other by a plane
 };
 
-/// What is looked at before an object is called potentially visible; a finer one never gives a larger set.
+/// How finely an object is looked at before it is called potentially visible: each level is tried where the one before it
+/// found something visible, so a finer granularity never gives a larger set.
 enum class Granularity {
-  object,   ///< its bounding box
-  body,     ///< each of its convex bodies
-  triangle  ///< each triangle of a mesh that is not one convex solid; other bodies as above
+  object,   ///< its bounding box, as a whole
+  part,     ///< each convex body
+  face,     ///< each face of one that looks towards the cell
+  triangle  ///< each triangle of such a face
 };
 
 inline std::string to_string(Umbra u) { return u == Umbra::half ? "half" : "full"; }
+inline std::string to_string(Granularity g)
+{
+  constexpr char const* names[] = {"object", "part", "face", "triangle"};
+  return names[static_cast<int>(g)];
+}
+/// Throws std::invalid_argument.
+inline Granularity granularity_from_string(std::string const& name)
+{
+  for (auto const g : {Granularity::object, Granularity::part, Granularity::face, Granularity::triangle})
+    if (to_string(g) == name) return g;
+  throw std::invalid_argument("unknown granularity '" + name + "' (object, part, face or triangle)");
+}
 inline std::string to_string(Bounds b) { return b == Bounds::exact ? "exact" : "linear"; }
 
 struct Options {
@@ -34,15 +48,15 @@ struct Options {
   int components = 2;  ///< umbrae kept for each pixel, at least 1
   Umbra umbra = Umbra::full;
   Bounds bounds = Bounds::exact;
-  Granularity granularity = Granularity::body;
+  Granularity granularity = Granularity::face;
 
-  static constexpr int min_resolution = 8, max_resolution = 8192, max_components = 16;
+  static constexpr int min_resolution = 8, max_resolution = 4096, max_components = 16;
 
   /// Throws std::invalid_argument unless the numbers are in their ranges.
   void validate() const
   {
     if (resolution < min_resolution || resolution > max_resolution)
-      throw std::invalid_argument("ray-space: the resolution must be from 8 to 8192");
+      throw std::invalid_argument("ray-space: the resolution must be from 8 to 4096");
     if (components < 1 || components > max_components)
       throw std::invalid_argument("ray-space: the number of components must be from 1 to 16");
   }

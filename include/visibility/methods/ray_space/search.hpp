@@ -7,6 +7,7 @@
 #include "visibility/scene/view_cell.hpp"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace visibility::ray_space {
@@ -29,6 +30,7 @@ public:
 private:
   bool is_visible(std::uint32_t object);
   bool is_part_visible(ConvexBodies::Body const& body, Box const& bounds);
+  bool is_polygon_visible(std::span<Point3d const> polygon);
   void enter(std::uint32_t object);
 
   PreparedScene const* scene_;
