@@ -73,7 +73,8 @@ void MethodArguments::add_to(CLI::App& command)
 {
   command.add_option("--method", method, "strong-occlusion (default), exact-2.5d, ray-space or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
-  command.add_option("--granularity", granularity, "strong-occlusion, ray-space: object, part, face (default) or triangle");
+  command.add_option("--granularity", granularity,
+                     "strong-occlusion, ray-space: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
                      "strong-occlusion: the same for all but the smallest --cell-size (default part)");
   command.add_flag("--no-inner-bodies", no_inner_bodies,
@@ -135,9 +136,12 @@ std::map<std::string, std::string> MethodArguments::options() const
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
   if (method == "exact-2.5d") return {};
   if (method == "ray-space")
-    return {{"resolution", std::to_string(resolution)}, {"components", std::to_string(components)},
-            {"umbra", umbra},                           {"bounds", bounds},
-            {"granularity", granularity},               {"inner-bodies", no_inner_bodies ? "off" : "on"}};
+    return {{"resolution", std::to_string(resolution)},
+            {"components", std::to_string(components)},
+            {"umbra", umbra},
+            {"bounds", bounds},
+            {"granularity", granularity},
+            {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   std::map<std::string, std::string> out{{"granularity", granularity},
                                          {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
@@ -180,9 +184,9 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
     return Sampling(
       {.rays = arguments_.rays, .seconds = arguments_.seconds, .seed = arguments_.seed, .progress = progress})(*rays_,
                                                                                                                cell);
-  auto set = height_field_                       ? exact_25d(cell)
+  auto set = height_field_                      ? exact_25d(cell)
              : arguments_.method == "ray-space" ? RaySpace(ray_space_options(arguments_))(*scene_, cell)
-                                                 : strong_occlusion(cell);
+                                                : strong_occlusion(cell);
   progress(1);
   return set;
 }

@@ -29,8 +29,7 @@ ray_space::Options any_options(Random& random)
 /// What a field of the world looks like `by` metres further off, as far as doubles can tell.
 Scene moved(Scene scene, double by)
 {
-  for (auto& b : scene.boxes)
-    b = {{b.min.x + by, b.min.y - by, b.min.z}, {b.max.x + by, b.max.y - by, b.max.z}};
+  for (auto& b : scene.boxes) b = {{b.min.x + by, b.min.y - by, b.min.z}, {b.max.x + by, b.max.y - by, b.max.z}};
   for (auto& v : scene.vertices) v = {v.x + by, v.y - by, v.z};
   return scene;
 }
@@ -64,6 +63,5 @@ TEST_CASE("ray-space: nothing that the exact set holds is missing", "[methods][c
       hidden += static_cast<int>(c.scene.objects.size() - set.visible.size());
     }
   CAPTURE(visible, kept, hidden);
-  WARN("visible " << visible << " kept " << kept << " hidden " << hidden);
   CHECK(hidden > 0);
 }

@@ -19,8 +19,7 @@ namespace {
 /// All bodies of a scene in the maps of a cell, in any order, whether visible or not.
 struct World {
   World(PreparedScene const& scene, Box const& cell, double floor, Random& random)
-    : options{.resolution = 1 << random.between(4, 9), .components = random.between(1, 4)},
-      writer(floor, options)
+    : options{.resolution = 1 << random.between(4, 9), .components = random.between(1, 4)}, writer(floor, options)
   {
     for (int f = 0; f < 4; ++f) frames.emplace_back(cell, f, options.resolution, options.resolution / 4);
     for (auto const& f : frames) maps.emplace_back(f, options.components);
@@ -32,7 +31,8 @@ struct World {
     for (auto const i : order) {
       if (!bodies[i].occludes) continue;
       visit_shape(scene.bodies(), bodies[i], [&](auto const& shape) { chords_of(shape, chords); });
-      for (std::size_t f = 0; f < 4; ++f) pixels += writer.write(chords, scene.bodies().bounds()[i], frames[f], maps[f]);
+      for (std::size_t f = 0; f < 4; ++f)
+        pixels += writer.write(chords, scene.bodies().bounds()[i], frames[f], maps[f]);
     }
   }
 

@@ -46,14 +46,13 @@ bool blocked(std::vector<Wall> const& walls, Point const& from, Point const& to)
 
 bool says_hidden(Gate const& g, Point const& q)
 {
-  return q.u > g.beyond && upper_tangent(cell, q.u, q.z) < g.top.slope && lower_tangent(cell, q.u, q.z) > g.bottom.slope;
+  return q.u > g.beyond && upper_tangent(cell, q.u, q.z) < g.top.slope &&
+         lower_tangent(cell, q.u, q.z) > g.bottom.slope;
 }
 
 Wall random_wall(Random& random, bool grid)
 {
-  auto const number = [&](int lo, int hi) {
-    return grid ? double(random.between(lo, hi)) : random.uniform(lo, hi);
-  };
+  auto const number = [&](int lo, int hi) { return grid ? double(random.between(lo, hi)) : random.uniform(lo, hi); };
   for (;;) {
     Wall w{{number(1, 12), number(-5, 8)}, {number(1, 12), number(-5, 8)}, random.chance(0.2)};
     if (random.chance(0.5)) w.top.u = w.bottom.u;
@@ -190,7 +189,7 @@ TEST_CASE("ray-space slice: distances from the front of the cell do not give the
   Point const top{1, 3}, q{3, 4.5};
   double const paper_wall = (top.z - cell.height) / (top.u - cell.u_out);
   double const paper_q = (q.z - cell.height) / (q.u - cell.u_out);
-  REQUIRE(paper_q < paper_wall);                                     // hidden, by the paper
+  REQUIRE(paper_q < paper_wall);                                      // hidden, by the paper
   REQUIRE(height({cell.u_in, cell.height}, q, top.u) > top.z + 0.1);  // seen over the wall from the back of the cell
   CHECK(upper_tangent(cell, q.u, q.z) > upper_tangent(cell, top.u, top.z));
 }

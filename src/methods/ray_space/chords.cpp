@@ -12,7 +12,8 @@ constexpr std::size_t most_points = 32;  ///< of a polyhedron, and of a prism's 
 
 std::uint16_t index(std::size_t i) { return static_cast<std::uint16_t>(i); }
 
-/// Both rings of an upright prism over the convex polygon, in order around it. Top chords are no bottoms and vice versa.
+/// Both rings of an upright prism over the convex polygon, in order around it. Top chords are no bottoms and vice
+/// versa.
 void upright(std::vector<Point2d> const& polygon, double bottom, double top, Chords& out)
 {
   out.clear();
@@ -66,8 +67,7 @@ void chords_of(Ball const& b, Chords& out)
     return;
   }
   for (int i = 0; i < 8; ++i)
-    out.points.push_back(
-      {c.x + ((i & 1) != 0 ? d : -d), c.y + ((i & 2) != 0 ? d : -d), c.z + ((i & 4) != 0 ? d : -d)});
+    out.points.push_back({c.x + ((i & 1) != 0 ? d : -d), c.y + ((i & 2) != 0 ? d : -d), c.z + ((i & 4) != 0 ? d : -d)});
   for (double const s : {-r, r}) {
     out.points.push_back({c.x + s, c.y, c.z});
     out.points.push_back({c.x, c.y + s, c.z});

@@ -32,7 +32,8 @@ bool Frame::in_domain(Box const& c)
 
 Frame::Frame(Box const& cell, int family, int rows, int columns)
   : forward_(family < 2 ? &Point3d::x : &Point3d::y), sideways_(family < 2 ? &Point3d::y : &Point3d::x),
-    sign_(family % 2 == 0 ? 1 : -1), centre_{0.5 * cell.min.x + 0.5 * cell.max.x, 0.5 * cell.min.y + 0.5 * cell.max.y, 0},
+    sign_(family % 2 == 0 ? 1 : -1), centre_{0.5 * cell.min.x + 0.5 * cell.max.x, 0.5 * cell.min.y + 0.5 * cell.max.y,
+                                             0},
     bottom_(cell.min.z), height_((cell.max.z - cell.min.z) * up)
 {
   auto const half = [&](double Point3d::*k) {

@@ -47,13 +47,16 @@ void OccludeeTest::localize(Frame const& frame, std::span<Point3d const> points)
 {
   points_.clear();
   margin_.clear();
-  all_ahead_ = all_behind_ = true;
+  nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;
   for (auto const& p : points) {
     points_.push_back(frame.local(p));
-    margin_.push_back(frame.margin(points_.back()));
-    all_ahead_ &= points_.back().u >= 0;
-    all_behind_ &= points_.back().u <= 0;
+    nearest_ = std::min(nearest_, points_.back().u);
+    farthest_ = std::max(farthest_, points_.back().u);
   }
+  // What is behind the cell is not looked at.
+  nearest_ = std::max(nearest_, -frame.half_length());
+  for (auto const& p : points_)
+    margin_.push_back(frame.margin({std::max(std::fabs(p.u), std::fabs(farthest_)), p.v, 0}));
   low_side_.resize(points_.size());
   high_side_.resize(points_.size());
 }
@@ -71,16 +74,20 @@ void OccludeeTest::clip(Frame const& frame, int row, int column)
   extents_.clear();
   std::size_t const n = points_.size();
   double const s0 = frame.s(column), s1 = frame.s(column + 1);
-  // The lines of a pixel fill a wedge; which of them bound it changes in the middle of the cell.
-  double const low_t = frame.t(all_ahead_ ? row : row + 1), high_t = frame.t(all_ahead_ ? row + 1 : row);
-  bool const unclipped = !all_ahead_ && !all_behind_;
+  // The lines of a pixel lie between min(s0 + t0 u, s0 + t1 u) and max(s1 + t0 u, s1 + t1 u). Between the ends of the
+  // hull the chord of the one is below it (concave), and that of the other above.
+  double const t0 = frame.t(row), t1 = frame.t(row + 1);
+  double const low_a = std::min(t0 * nearest_, t1 * nearest_), low_b = std::min(t0 * farthest_, t1 * farthest_);
+  double const high_a = std::max(t0 * nearest_, t1 * nearest_), high_b = std::max(t0 * farthest_, t1 * farthest_);
+  double const length = farthest_ - nearest_;
+  double const low_t = length > 0 ? (low_b - low_a) / length : 0, high_t = length > 0 ? (high_b - high_a) / length : 0;
   for (std::size_t i = 0; i < n; ++i) {
     auto const& p = points_[i];
-    low_side_[i] = p.v - (s0 + low_t * p.u);   // >= 0 inside
-    high_side_[i] = (s1 + high_t * p.u) - p.v;
-    if (unclipped || (low_side_[i] >= -margin_[i] && high_side_[i] >= -margin_[i])) add(frame, p.u, p.z, 0, 0);
+    double const along = p.u - nearest_;
+    low_side_[i] = p.v - (s0 + low_a + low_t * along);  // >= 0 inside
+    high_side_[i] = (s1 + high_a + high_t * along) - p.v;
+    if (low_side_[i] >= -margin_[i] && high_side_[i] >= -margin_[i]) add(frame, p.u, p.z, 0, 0);
   }
-  if (unclipped) return;
   for (auto const* const side : {&low_side_, &high_side_})
     for (std::size_t i = 0; i < n; ++i)
       for (std::size_t j = 0; j < n; ++j) {
@@ -89,8 +96,8 @@ void OccludeeTest::clip(Frame const& frame, int row, int column)
         auto const &p = points_[i], &q = points_[j];
         double const width = b - a, off = (margin_[i] + margin_[j]) / (4 * width) + 0x1p-50;
         for (double const part : {std::max(0.0, -a / width - off), std::min(1.0, -a / width + off)})
-          add(frame, p.u + part * (q.u - p.u), p.z + part * (q.z - p.z),
-              0x1p-48 * (std::fabs(p.u) + std::fabs(q.u)), 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z)));
+          add(frame, p.u + part * (q.u - p.u), p.z + part * (q.z - p.z), 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u)),
+              0x1p-48 * (std::fabs(p.z) + std::fabs(q.z)));
       }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 
 namespace visibility::ray_space {
 
@@ -11,7 +12,8 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where the line (s, t) crosses the chord from p to q in plan. Requires: it passes below p and above q, by their margins.
+/// Where the line (s, t) crosses the chord from p to q in plan. Requires: it passes below p and above q, by their
+/// margins.
 SlicePoint crossing(LocalPoint const& p, LocalPoint const& q, double margins, double scale, double s, double t)
 {
   double const below = s + t * p.u - p.v, above = s + t * q.u - q.v;  // < 0, > 0
@@ -22,6 +24,58 @@ SlicePoint crossing(LocalPoint const& p, LocalPoint const& q, double margins, do
   double const dz = off * std::fabs(q.z - p.z) + 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z) + scale);
   return {u - du, u + du, z - dz, z + dz};
 }
+
+/// The crossing as the paper's appendix bounds it over the whole footprint of a chord: distance and height are
+/// first-order rational functions with one denominator, the width between the ends as the line sees them. Of the two,
+/// the one that changes less becomes a constant, the other a plane: its numerator over the least or the greatest width.
+class LinearCrossing {
+public:
+  LinearCrossing(Frame const& frame, LocalPoint const& p, LocalPoint const& q, double margins)
+    : p_(&p), q_(&q), margins_(margins), scale_(frame.half_length() + frame.height()),
+      height_is_constant_(std::fabs(q.z - p.z) * (std::fabs(p.u) + std::fabs(q.u)) <=
+                          std::fabs(q.u - p.u) * (std::fabs(p.z) + std::fabs(q.z)))
+  {
+    // Slopes of lines of the frame to the ends; the width depends on the slope alone.
+    double low = frame.t(frame.rows()), high = frame.t(0);
+    double const s = frame.s(frame.columns());
+    for (auto const* e : {&p, &q}) {
+      low = e->u > 0 ? std::min(low, (e->v - s) / e->u) : frame.t(0);
+      high = e->u > 0 ? std::max(high, (e->v + s) / e->u) : frame.t(frame.rows());
+    }
+    low = std::max(low, frame.t(0)), high = std::min(high, frame.t(frame.rows()));
+    double const a = low * (q.u - p.u) - (q.v - p.v), b = high * (q.u - p.u) - (q.v - p.v);
+    least_ = std::min(a, b) - margins;
+    most_ = std::max(a, b) + margins;
+  }
+
+  SlicePoint operator()(double s, double t) const
+  {
+    LocalPoint const &p = *p_, &q = *q_;
+    double const below = s + t * p.u - p.v, above = s + t * q.u - q.v;
+    auto const constant = [](double x, double y) { return std::pair(std::min(x, y), std::max(x, y)); };
+    // (above x - below y) / width, within the values at the ends.
+    auto const plane = [&](double x, double y) {
+      double const numerator = above * x - below * y;
+      double const off =
+        margins_ * (std::fabs(x) + std::fabs(y)) + 0x1p-48 * (std::fabs(above * x) + std::fabs(below * y));
+      auto [low, high] = constant(x, y);
+      if (!(least_ > 0)) return std::pair(low, high);
+      low = std::max(low, std::min((numerator - off) / most_, (numerator - off) / least_));
+      high = std::min(high, std::max((numerator + off) / most_, (numerator + off) / least_));
+      return std::pair(low, high);
+    };
+    auto const [u0, u1] = height_is_constant_ ? plane(p.u, q.u) : constant(p.u, q.u);
+    auto const [z0, z1] = height_is_constant_ ? constant(p.z, q.z) : plane(p.z, q.z);
+    double const du = 0x1p-47 * (std::fabs(p.u) + std::fabs(q.u) + scale_);
+    double const dz = 0x1p-47 * (std::fabs(p.z) + std::fabs(q.z) + scale_);
+    return {u0 - du, u1 + du, z0 - dz, z1 + dz};
+  }
+
+private:
+  LocalPoint const *p_, *q_;
+  double margins_, scale_, least_ = 0, most_ = 0;
+  bool height_is_constant_;
+};
 
 GateEnd top_end(double slope, double separating, CellSlice const& k, double back)
 {
@@ -65,7 +119,11 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
   LocalPoint const &p = points_[chord.i], &q = points_[chord.j];
   double const margins = margin_[chord.i] + margin_[chord.j], scale = frame.half_length() + frame.height();
   double const t0 = frame.t(row), t1 = frame.t(row + 1);
-  auto const at = [&](int line, double t) { return crossing(p, q, margins, scale, frame.s(line), t); };
+  LinearCrossing const linear(frame, p, q, margins);
+  auto const at = [&](int line, double t) {
+    return options_.bounds == Bounds::exact ? crossing(p, q, margins, scale, frame.s(line), t)
+                                            : linear(frame.s(line), t);
+  };
   std::array<SlicePoint, 4> corner;
   int last = -1;  // the pixel whose upper corners are known
   for (int c = from; c < to; ++c) {

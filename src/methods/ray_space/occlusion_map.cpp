@@ -91,8 +91,8 @@ void OcclusionMap::hide(int row, int from, int n, Extent const& e, unsigned char
   double const near = e.near, far = e.far, low = e.low, high = e.high;
   for (int k = 0; k < components_; ++k) {
     float const *const b = column(row, k, beyond) + from, *const ts = column(row, k, top_slope) + from,
-                *const tb = column(row, k, top_base) + from, *const bs = column(row, k, bottom_slope) + from,
-                *const bb = column(row, k, bottom_base) + from;
+                       *const tb = column(row, k, top_base) + from, *const bs = column(row, k, bottom_slope) + from,
+                       *const bb = column(row, k, bottom_base) + from;
     // Products of two floats are exact, and a sum that rounds to more than a float is more than it.
     for (int i = 0; i < n; ++i) {
       bool const behind = near > b[i];

@@ -138,7 +138,8 @@ void Search::enter(std::uint32_t object)
     if (!occluders.blocks_from(*cell_, i, owner) || (!meet(bounds, cell_->bounds()) && test_.hidden(bounds))) continue;
     occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
     ++counts_.occluders;
-    for (std::size_t f = 0; f < frames_.size(); ++f) counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f]);
+    for (std::size_t f = 0; f < frames_.size(); ++f)
+      counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f]);
   }
 }
 

@@ -10,7 +10,8 @@
 
 namespace visibility::ray_space {
 
-/// A segment between two points of a convex body, so inside it: where a vertical plane crosses it, the body has a point.
+/// A segment between two points of a convex body, so inside it: where a vertical plane crosses it, the body has a
+/// point.
 struct Chord {
   std::uint16_t from, to;
   bool top, bottom;  ///< whether it may give the upper or the lower end of a gate that is not worse than another's

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <optional>
 
-/// Which pixels the lines that meet a box in plan belong to. [Leyvand03, section 2.2]; proofs/ray_space.md, "Footprints".
+/// Which pixels the lines that meet a box in plan belong to. [Leyvand03, section 2.2]; proofs/ray_space.md,
+/// "Footprints".
 namespace visibility::ray_space {
 
 /// The part of a box that is not behind the cell, as a frame sees it; rounded outward.
@@ -32,8 +33,8 @@ inline std::optional<LocalBox> local_box(Frame const& frame, Box const& box)
 {
   LocalPoint const a = frame.local(box.min), b = frame.local(box.max);
   double const back = frame.half_length();
-  LocalBox out{safely_below(std::min(a.u, b.u)), safely_above(std::max(a.u, b.u)), safely_below(a.v), safely_above(b.v),
-               {}};
+  LocalBox out{
+    safely_below(std::min(a.u, b.u)), safely_above(std::max(a.u, b.u)), safely_below(a.v), safely_above(b.v), {}};
   if (out.u1 < -back) return std::nullopt;
   out.u0 = std::max(out.u0, -back);
   out.extent = {near_of(out.u0, back), far_of(out.u1, back), float_below(safely_below(a.z)),
@@ -47,8 +48,8 @@ inline bool in_reach(Frame const& frame, Box const& box)
   return in_reach(frame.local(box.min)) && in_reach(frame.local(box.max));
 }
 
-/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether it
-/// always returned true.
+/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether
+/// it always returned true.
 template <class InRow>
 bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row)
 {

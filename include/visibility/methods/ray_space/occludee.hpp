@@ -34,8 +34,8 @@ private:
   std::vector<Family> families_;
   std::vector<LocalPoint> points_;
   std::vector<double> margin_, low_side_, high_side_;
-  bool all_ahead_ = false, all_behind_ = false;  // of the middle of the cell
-  std::vector<Extent> extents_;                  // points of the clipped hull in the slices
+  double nearest_ = 0, farthest_ = 0;  // u of the hull
+  std::vector<Extent> extents_;        // points of the clipped hull in the slices
 };
 
 }  // namespace visibility::ray_space

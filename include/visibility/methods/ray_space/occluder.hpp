@@ -42,8 +42,8 @@ private:
   std::vector<LocalPoint> points_;
   std::vector<double> margin_;
   std::vector<bool> ground_;
-  std::vector<double> below_, above_;  // per point, in one row: lines with s up to the one pass below it, from the other
-                                       // on above
+  std::vector<double> below_, above_;  // per point, in one row: lines with s up to the one pass below it, from the
+                                       // other on above
   std::vector<End> top_, bottom_;      // per column
   std::vector<unsigned char> open_;    // per column: not hidden yet
 };

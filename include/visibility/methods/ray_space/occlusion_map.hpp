@@ -6,7 +6,8 @@
 
 namespace visibility::ray_space {
 
-/// A part of a slice: all within [near, far] from the back of the frame and [low, high] in height. Bounds rounded outward.
+/// A part of a slice: all within [near, far] from the back of the frame and [low, high] in height. Bounds rounded
+/// outward.
 struct Extent {
   float near, far, low, high;
 };

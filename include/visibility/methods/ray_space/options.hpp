@@ -17,8 +17,8 @@ enum class Bounds {
   linear  ///< the paper's approximation: distance or height replaced by a constant, the other by a plane
 };
 
-/// How finely an object is looked at before it is called potentially visible: each level is tried where the one before it
-/// found something visible, so a finer granularity never gives a larger set.
+/// How finely an object is looked at before it is called potentially visible: each level is tried where the one before
+/// it found something visible, so a finer granularity never gives a larger set.
 enum class Granularity {
   object,   ///< its bounding box, as a whole
   part,     ///< each convex body

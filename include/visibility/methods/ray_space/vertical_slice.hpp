@@ -71,16 +71,16 @@ inline constexpr GateEnd open_bottom{-std::numeric_limits<float>::infinity(), -s
 
 inline bool reaches_ground(Gate const& g) { return std::isinf(g.bottom.slope); }
 
-/// Whether no line from the cell passes above the top of `lower` and below the bottom of `upper`: that bottom lies under
-/// both tangents of that top. Which of the two is nearer does not matter.
+/// Whether no line from the cell passes above the top of `lower` and below the bottom of `upper`: that bottom lies
+/// under both tangents of that top. Which of the two is nearer does not matter.
 inline bool no_gap(Gate const& lower, Gate const& upper)
 {
   return upper.bottom.separating <= lower.top.slope && upper.bottom.slope <= lower.top.separating;
 }
 
-/// A gate for both together, or nothing if one of them reaches at least as far up and down, or they leave a gap. Its ends
-/// are ends of the two: the paper's fused separating lines may belong to different occluders, and then lines pass that it
-/// calls blocked (proofs/ray_space.md, "Three walls"; a test keeps the case).  Source: [Leyvand03, figure 9].
+/// A gate for both together, or nothing if one of them reaches at least as far up and down, or they leave a gap. Its
+/// ends are ends of the two: the paper's fused separating lines may belong to different occluders, and then lines pass
+/// that it calls blocked (proofs/ray_space.md, "Three walls"; a test keeps the case).  Source: [Leyvand03, figure 9].
 inline std::optional<Gate> fused(Gate const& a, Gate const& b)
 {
   bool const up = b.top.slope > a.top.slope && b.bottom.slope > a.bottom.slope;
