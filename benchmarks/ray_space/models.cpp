@@ -7,7 +7,8 @@ namespace visibility::bench::ray_space {
 
 Model::Model(std::string const& specification, bool with_rays) : scene(generate(specification))
 {
-  build_seconds = median_seconds<ProcessorClock>(1, 0, [&] { prepared = std::make_unique<PreparedScene>(scene); });
+  build_seconds = median_seconds<ProcessorClock>(
+    1, 0, [&] { prepared = std::make_unique<PreparedScene>(scene, InnerBodyOptions{}); });
   if (with_rays) rays = std::make_unique<RayScene>(*prepared);
 }
 

@@ -44,6 +44,7 @@ Frame::Frame(Box const& cell, int family, int rows, int columns)
   double const t = h_ / a_ * up;
   t_ = lines(t, rows);
   s_ = lines((h_ + t * a_) * up, columns);
+  columns_per_unit_ = columns / (s_.back() - s_.front());
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) slices_.push_back(make_slice(row, column));
 }
@@ -53,7 +54,7 @@ int Frame::columns_below(double limit) const
   int const n = columns();
   if (!(limit >= s_[1])) return 0;
   if (limit >= s_.back()) return n;
-  int c = static_cast<int>((limit - s_.front()) / (s_.back() - s_.front()) * n);
+  int c = static_cast<int>((limit - s_.front()) * columns_per_unit_);
   c = std::clamp(c, 0, n);
   while (c > 0 && s(c) > limit) --c;
   while (c < n && s(c + 1) <= limit) ++c;
@@ -65,7 +66,7 @@ int Frame::columns_from(double limit) const
   int const n = columns();
   if (limit <= s_.front()) return 0;
   if (!(limit <= s_[static_cast<std::size_t>(n) - 1])) return n;
-  int c = static_cast<int>((limit - s_.front()) / (s_.back() - s_.front()) * n);
+  int c = static_cast<int>((limit - s_.front()) * columns_per_unit_);
   c = std::clamp(c, 0, n);
   while (c < n && s(c) < limit) ++c;
   while (c > 0 && s(c - 1) >= limit) --c;

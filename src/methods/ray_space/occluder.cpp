@@ -12,18 +12,28 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Where the line (s, t) crosses the chord from p to q in plan. Requires: it passes below p and above q, by their
-/// margins.
-SlicePoint crossing(LocalPoint const& p, LocalPoint const& q, double margins, double scale, double s, double t)
-{
-  double const below = s + t * p.u - p.v, above = s + t * q.u - q.v;  // < 0, > 0
-  double const inverse = 1 / (above - below), part = -below * inverse;
-  double const off = 0.25 * margins * inverse + 0x1p-50;
-  double const u = p.u + part * (q.u - p.u), z = p.z + part * (q.z - p.z);
-  double const du = off * std::fabs(q.u - p.u) + 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u) + scale);
-  double const dz = off * std::fabs(q.z - p.z) + 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z) + scale);
-  return {u - du, u + du, z - dz, z + dz};
-}
+/// Where the lines of one slope cross the chord from p to q in plan: affine in s, as the width between its ends is the
+/// same for all. Requires where it is used: the line passes below p and above q, by their margins.
+class Crossing {
+public:
+  Crossing(LocalPoint const& p, LocalPoint const& q, double margins, double scale, double t)
+    : u_(p.u), z_(p.z), along_u_(q.u - p.u), along_z_(q.z - p.z), below_(t * p.u - p.v)
+  {
+    double const inverse = 1 / ((t * q.u - q.v) - below_), off = 0.25 * margins * std::fabs(inverse) + 0x1p-50;
+    rate_ = -inverse;
+    du_ = off * std::fabs(along_u_) + 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u) + scale);
+    dz_ = off * std::fabs(along_z_) + 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z) + scale);
+  }
+
+  SlicePoint operator()(double s) const
+  {
+    double const part = (s + below_) * rate_, u = u_ + part * along_u_, z = z_ + part * along_z_;
+    return {u - du_, u + du_, z - dz_, z + dz_};
+  }
+
+private:
+  double u_, z_, along_u_, along_z_, below_, rate_, du_, dz_;
+};
 
 /// The crossing as the paper's appendix bounds it over the whole footprint of a chord: distance and height are
 /// first-order rational functions with one denominator, the width between the ends as the line sees them. Of the two,
@@ -119,10 +129,10 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
   LocalPoint const &p = points_[chord.i], &q = points_[chord.j];
   double const margins = margin_[chord.i] + margin_[chord.j], scale = frame.half_length() + frame.height();
   double const t0 = frame.t(row), t1 = frame.t(row + 1);
+  Crossing const first(p, q, margins, scale, t0), second(p, q, margins, scale, t1);
   LinearCrossing const linear(frame, p, q, margins);
-  auto const at = [&](int line, double t) {
-    return options_.bounds == Bounds::exact ? crossing(p, q, margins, scale, frame.s(line), t)
-                                            : linear(frame.s(line), t);
+  auto const at = [&](int line, Crossing const& crossing, double t) {
+    return options_.bounds == Bounds::exact ? crossing(frame.s(line)) : linear(frame.s(line), t);
   };
   std::array<SlicePoint, 4> corner;
   int last = -1;  // the pixel whose upper corners are known
@@ -133,9 +143,9 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
     if (last == c - 1 && last >= 0)
       corner[0] = corner[2], corner[1] = corner[3];
     else
-      corner[0] = at(c, t0), corner[1] = at(c, t1);
-    corner[2] = at(c + 1, t0);
-    corner[3] = at(c + 1, t1);
+      corner[0] = at(c, first, t0), corner[1] = at(c, second, t1);
+    corner[2] = at(c + 1, first, t0);
+    corner[3] = at(c + 1, second, t1);
     last = c;
     SlicePoint all = corner[0];
     for (auto const& x : corner) {
@@ -147,7 +157,8 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
     std::span<SlicePoint const> const extremes = p.z == q.z ? std::span(&all, 1) : std::span<SlicePoint const>(corner);
     auto& top = top_[static_cast<std::size_t>(c)];
     auto& bottom = bottom_[static_cast<std::size_t>(c)];
-    if (chord.top) {
+    // One corner shows where a chord cannot be better than those before it.
+    if (chord.top && least_upper_tangent(*k, extremes.front()) > top.slope) {
       End e{infinity, infinity, all.u_high};
       for (auto const& x : extremes) {
         e.slope = std::min(e.slope, least_upper_tangent(*k, x));
@@ -157,7 +168,8 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
     }
     if (chord.ground) {
       if (bottom.slope != -infinity || all.u_high < bottom.far) bottom = {-infinity, -infinity, all.u_high};
-    } else if (chord.bottom && bottom.slope != -infinity && options_.umbra == Umbra::full) {
+    } else if (chord.bottom && bottom.slope != -infinity && options_.umbra == Umbra::full &&
+               greatest_lower_tangent(*k, extremes.front()) < bottom.slope) {
       End e{-infinity, -infinity, all.u_high};
       for (auto const& x : extremes) {
         e.slope = std::max(e.slope, greatest_lower_tangent(*k, x));
@@ -179,7 +191,7 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
   for (auto const& chord : chords) {
     std::size_t const a = chord.from, b = chord.to;
     for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
-      int const from = frame.columns_from(above_[j]), to = frame.columns_below(below_[i]);
+      int const from = above_[j], to = below_[i];
       if (from >= to) continue;
       RowChord const row_chord{i, j, chord.top, chord.bottom, ground_[a] && ground_[b]};
       if (!only_gaps) {
@@ -198,8 +210,8 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
   auto const box = local_box(frame, bounds);
   if (!box) return 0;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
-  below_.resize(points_.size());
-  above_.resize(points_.size());
+  for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
+  for (auto* const columns_of : {&below_, &above_}) columns_of->resize(points_.size());
   top_.resize(columns);
   bottom_.resize(columns);
   open_.resize(columns);
@@ -210,10 +222,10 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
     for (std::size_t i = 0; i < points_.size(); ++i) {
       auto const& p = points_[i];
       double const x = t0 * p.u, y = t1 * p.u;
-      below_[i] = p.v - std::max(x, y) - margin_[i];
-      above_[i] = p.v - std::min(x, y) + margin_[i];
-      least = std::min(least, above_[i]);
-      most = std::max(most, below_[i]);
+      below_limit_[i] = p.v - std::max(x, y) - margin_[i];
+      above_limit_[i] = p.v - std::min(x, y) + margin_[i];
+      least = std::min(least, above_limit_[i]);
+      most = std::max(most, below_limit_[i]);
     }
     if (!(least < most)) return true;
     int const from = frame.columns_from(least), to = frame.columns_below(most);
@@ -230,6 +242,10 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
   for (int c = from; c < to; ++c) {
     top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
     bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    below_[i] = frame.columns_below(below_limit_[i]);
+    above_[i] = frame.columns_from(above_limit_[i]);
   }
   add_chords(body.edges, frame, row, false);
   add_chords(body.others, frame, row, true);

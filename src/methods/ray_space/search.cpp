@@ -47,6 +47,14 @@ struct Waiting {
   friend bool operator<(Waiting const& a, Waiting const& b) { return a.distance > b.distance; }
 };
 
+/// Whether the part lies in the body but for a twentieth of the body's sides in plan. A choice of what to leave out.
+bool nearly_contains(Box const& body, Box const& part)
+{
+  double const x = 0.05 * (body.max.x - body.min.x), y = 0.05 * (body.max.y - body.min.y);
+  return body.min.x - x <= part.min.x && part.max.x <= body.max.x + x && body.min.y - y <= part.min.y &&
+         part.max.y <= body.max.y + y && body.min.z <= part.min.z && part.max.z <= body.max.z;
+}
+
 }  // namespace
 
 Search::Search(PreparedScene const& scene, ViewCell const& cell, Options const& options)
@@ -129,18 +137,33 @@ bool Search::is_polygon_visible(std::span<Point3d const> polygon)
   return meet(bounds, cell_->bounds()) || !test_.hidden(bounds, polygon);
 }
 
+/// Bodies inside the object first: they join what its parts hold one by one, and parts that they fill add next to
+/// nothing.
 void Search::enter(std::uint32_t object)
 {
   auto const& occluders = scene_->occluders();
-  Box const& owner = scene_->object_bounds()[object];
-  for (auto i = occluders.first_of_object()[object]; i < occluders.first_of_object()[object + 1]; ++i) {
-    Box const& bounds = occluders.bounds()[i];
-    if (!occluders.blocks_from(*cell_, i, owner) || (!meet(bounds, cell_->bounds()) && test_.hidden(bounds))) continue;
-    occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
-    ++counts_.occluders;
-    for (std::size_t f = 0; f < frames_.size(); ++f)
-      counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f]);
-  }
+  auto const first = occluders.first_of_object()[object], last = occluders.first_of_object()[object + 1];
+  inner_.clear();
+  for (auto i = first; i < last; ++i)
+    if (!occluders.is_body(i) && enter_occluder(object, i)) inner_.push_back(occluders.bounds()[i]);
+  for (auto i = first; i < last; ++i)
+    if (occluders.is_body(i) &&
+        std::ranges::none_of(inner_, [&](Box const& b) { return nearly_contains(b, occluders.bounds()[i]); }))
+      enter_occluder(object, i);
+}
+
+/// Returns whether it is an occluder from this cell; one that is hidden is not entered.
+bool Search::enter_occluder(std::uint32_t object, std::uint32_t i)
+{
+  auto const& occluders = scene_->occluders();
+  if (!occluders.blocks_from(*cell_, i, scene_->object_bounds()[object])) return false;
+  Box const& bounds = occluders.bounds()[i];
+  if (!meet(bounds, cell_->bounds()) && test_.hidden(bounds)) return true;
+  occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
+  ++counts_.occluders;
+  for (std::size_t f = 0; f < frames_.size(); ++f)
+    counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f]);
+  return true;
 }
 
 std::vector<std::uint32_t> Search::triangles_of(std::vector<std::uint32_t> const& objects)

@@ -67,7 +67,7 @@ private:
   double Point3d::*sideways_;
   double sign_;
   Point3d centre_;
-  double bottom_, a_, h_, height_;
+  double bottom_, a_, h_, height_, columns_per_unit_;
   std::vector<double> s_, t_;
   std::vector<CellSlice> slices_;
 };

@@ -42,10 +42,11 @@ private:
   std::vector<LocalPoint> points_;
   std::vector<double> margin_;
   std::vector<bool> ground_;
-  std::vector<double> below_, above_;  // per point, in one row: lines with s up to the one pass below it, from the
-                                       // other on above
-  std::vector<End> top_, bottom_;      // per column
-  std::vector<unsigned char> open_;    // per column: not hidden yet
+  std::vector<double> below_limit_, above_limit_;  // per point: lines with s up to the one pass below it, from the
+                                                   // other on above
+  std::vector<int> below_, above_;                 // the same in columns: [0, below) and from `above` on
+  std::vector<End> top_, bottom_;                  // per column
+  std::vector<unsigned char> open_;                // per column: not hidden yet
 };
 
 }  // namespace visibility::ray_space

@@ -32,6 +32,7 @@ private:
   bool is_part_visible(ConvexBodies::Body const& body, Box const& bounds);
   bool is_polygon_visible(std::span<Point3d const> polygon);
   void enter(std::uint32_t object);
+  bool enter_occluder(std::uint32_t object, std::uint32_t occluder);
 
   PreparedScene const* scene_;
   ViewCell const* cell_;
@@ -43,6 +44,7 @@ private:
   Counts counts_;
   Chords chords_;
   std::vector<Point3d> vertices_;
+  std::vector<Box> inner_;
 };
 
 }  // namespace visibility::ray_space
