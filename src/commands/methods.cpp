@@ -5,6 +5,7 @@
 #include "visibility/methods/exact_25d/method.hpp"
 #include "visibility/methods/extended_projection/method.hpp"
 #include "visibility/methods/extended_projection/sweep.hpp"
+#include "visibility/methods/ray_space/method.hpp"
 #include "visibility/methods/sampling/method.hpp"
 #include "visibility/methods/strong_occlusion/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -26,6 +27,24 @@ strong_occlusion::Options strong_occlusion_options(MethodArguments const& a)
   options.granularity = strong_occlusion::granularity_from_string(a.granularity);
   for (auto const& [name, optimization] : optimizations)
     if (std::ranges::find(a.without, name) != a.without.end()) options.*optimization = false;
+  return options;
+}
+
+ray_space::Options ray_space_options(MethodArguments const& a)
+{
+  ray_space::Options options;
+  if (a.resolution) options.resolution = *a.resolution;
+  options.components = a.components;
+  options.umbra = a.umbra == "half" ? ray_space::Umbra::half : ray_space::Umbra::full;
+  options.bounds = a.bounds == "linear" ? ray_space::Bounds::linear : ray_space::Bounds::exact;
+  options.granularity = ray_space::granularity_from_string(a.granularity);
+  return options;
+}
+
+extended_projection::Options projection_options(MethodArguments const& a)
+{
+  auto options = a.projection;
+  if (a.resolution) options.resolution = *a.resolution;
   return options;
 }
 
@@ -52,7 +71,7 @@ void require_one_of(std::string const& option, std::string const& value, std::ve
 
 std::vector<std::string> method_names()
 {
-  return {"strong-occlusion", "exact-2.5d", "extended-projection", "occlusion-sweep", "sampling"};
+  return {"strong-occlusion", "exact-2.5d", "extended-projection", "occlusion-sweep", "ray-space", "sampling"};
 }
 
 std::vector<std::string> applicable_methods(Scene const& scene)
@@ -68,8 +87,6 @@ bool projects(std::string const& method) { return method == "extended-projection
 
 void add_projection_options(CLI::App& command, extended_projection::Options& o)
 {
-  command.add_option("--resolution", o.resolution,
-                     "extended-projection: pixels of a depth map along a side (default 256)");
   command.add_option("--extent", o.extent,
                      "extended-projection: how far planes reach beyond the cell, in distances (default 1.5)");
   command.add_option("--planes", o.planes,
@@ -106,14 +123,23 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
 
 void MethodArguments::add_to(CLI::App& command)
 {
-  command.add_option("--method", method,
-                     "strong-occlusion (default), exact-2.5d, extended-projection, occlusion-sweep or sampling");
+  command.add_option(
+    "--method", method,
+    "strong-occlusion (default), exact-2.5d, extended-projection, occlusion-sweep, ray-space or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
-  command.add_option("--granularity", granularity, "strong-occlusion: object, part, face (default) or triangle");
+  command.add_option("--granularity", granularity,
+                     "strong-occlusion, ray-space: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
                      "strong-occlusion: the same for all but the smallest --cell-size (default part)");
-  command.add_flag("--no-inner-bodies", no_inner_bodies,
-                   "strong-occlusion, extended-projection: do not look for convex occluders inside non-convex objects");
+  command.add_flag(
+    "--no-inner-bodies", no_inner_bodies,
+    "strong-occlusion, extended-projection, ray-space: do not look for convex occluders inside non-convex "
+    "objects");
+  command.add_option("--resolution", resolution,
+                     "extended-projection, ray-space: pixels of a map along a side (default 256, ray-space 512)");
+  command.add_option("--components", components, "ray-space: umbrae kept in each pixel (default 2)");
+  command.add_option("--umbra", umbra, "ray-space: full (default), or half: what no sight line passes below");
+  command.add_option("--bounds", bounds, "ray-space: exact (default) or linear, the paper's approximation");
   std::string names;
   for (auto const& [name, optimization] : optimizations) names += (names.empty() ? "" : ", ") + std::string(name);
   command.add_option("--without", without, "strong-occlusion: optimizations to switch off (" + names + ")")
@@ -141,13 +167,22 @@ void MethodArguments::validate() const
   std::vector<std::string> names;
   for (auto const& [name, optimization] : optimizations) names.emplace_back(name);
   for (auto const& name : without) require_one_of("--without", name, names);
+  require_one_of("--umbra", umbra, {"half", "full"});
+  require_one_of("--bounds", bounds, {"exact", "linear"});
+  if (method == "ray-space" && arithmetic != "filtered")
+    throw BadInput("--arithmetic does not apply to ray-space: it rounds every bound to the safe side");
+  if (method == "ray-space") try {
+      ray_space_options(*this).validate();
+    } catch (std::invalid_argument const& e) {
+      throw BadInput("--method " + std::string(e.what()));
+    }
   if (method == "sampling" && arithmetic != "filtered")
     throw BadInput("--arithmetic does not apply to sampling: its witnesses are always confirmed exactly");
   if (projects(method)) {
     if (arithmetic != "filtered")
       throw BadInput("--arithmetic does not apply to " + method + ": it rounds to the safe side");
     try {
-      projection.validate();
+      projection_options(*this).validate();
     } catch (std::invalid_argument const& e) {
       throw BadInput("--method " + method + ": " + e.what());
     }
@@ -168,10 +203,17 @@ std::map<std::string, std::string> MethodArguments::options() const
     return {{"rays", std::to_string(rays)}, {"seconds", std::to_string(seconds)}, {"seed", std::to_string(seed)}};
   if (method == "exact-2.5d") return {};
   if (projects(method)) {
-    auto out = text_of(projection);
+    auto out = text_of(projection_options(*this));
     out["inner-bodies"] = no_inner_bodies ? "off" : "on";
     return out;
   }
+  if (method == "ray-space")
+    return {{"resolution", std::to_string(ray_space_options(*this).resolution)},
+            {"components", std::to_string(components)},
+            {"umbra", umbra},
+            {"bounds", bounds},
+            {"granularity", granularity},
+            {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   std::map<std::string, std::string> out{{"granularity", granularity},
                                          {"inner-bodies", no_inner_bodies ? "off" : "on"}};
   auto const options = strong_occlusion_options(*this);
@@ -222,8 +264,10 @@ PotentiallyVisibleSet MethodRunner::operator()(ViewCell const& cell,
 PotentiallyVisibleSet MethodRunner::one_cell(ViewCell const& cell) const
 {
   if (height_field_) return exact_25d(cell);
-  if (arguments_.method == "occlusion-sweep") return OcclusionSweep(arguments_.projection)(*scene_, cell);
-  if (arguments_.method == "extended-projection") return ExtendedProjection(arguments_.projection)(*scene_, cell);
+  if (arguments_.method == "occlusion-sweep") return OcclusionSweep(projection_options(arguments_))(*scene_, cell);
+  if (arguments_.method == "extended-projection")
+    return ExtendedProjection(projection_options(arguments_))(*scene_, cell);
+  if (arguments_.method == "ray-space") return RaySpace(ray_space_options(arguments_))(*scene_, cell);
   return strong_occlusion(cell);
 }
 

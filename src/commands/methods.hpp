@@ -32,6 +32,9 @@ struct MethodArguments {
   std::string granularity = "face";
   std::string coarse_granularity = "part";
   bool no_inner_bodies = false;
+  std::optional<int> resolution;  ///< of maps; the method's default
+  int components = 2;
+  std::string umbra = "full", bounds = "exact";
   bool witnesses = false;
   std::string occludees;                    ///< scene that is looked for; empty: the scene itself
   std::string explain;                      ///< file for visible parts, funnels and shadow planes; empty: none

@@ -1,0 +1,86 @@
+#include "experiments.hpp"
+
+namespace visibility::bench::ray_space {
+
+namespace {
+
+struct Row {
+  double side, off_seconds, off_pvs, off_vs, in_seconds, in_pvs, in_vs;
+};
+std::vector<Row> const table_1{{3, 0.31, 2412, 1760, 0.40, 8832, 6824},
+                               {9, 0.41, 2840, 2632, 0.51, 12184, 9072},
+                               {14, 0.58, 3592, 2894, 0.96, 13576, 9184},
+                               {20, 0.71, 4568, 2928, 1.56, 18304, 9888},
+                               {25, 0.78, 5224, 2960, 2.01, 21608, 10072}};
+
+constexpr double mid_block = 55;  ///< m from the avenue's axis: between the lots in the middle of the first block
+
+std::string specification(Size size) { return size == Size::full ? "urban,n=120350" : "urban,n=100"; }
+
+}  // namespace
+
+void urban(Report& report, Size size)
+{
+  auto& table = report.table("Table 1: urban scene (paper | ours)",
+                             {"place", "cell side, m", "paper: PVS, triangles", "paper: PVS / VS", "paper, s",
+                              "ours: PVS, triangles", "PVS, objects", "VS, objects", "PVS / VS", "ours, s"});
+  Model const model(specification(size), true);
+  for (bool const junction : {false, true})
+    for (auto const& r : table_1) {
+      double const at = junction ? 0 : mid_block;
+      ViewCell const cell = cell_at(at, at, r.side, 2.5);
+      auto const m = measure(*model.prepared, cell, {});
+      double const vs = sampled(model, cell, size);
+      table.add({junction ? "in junction" : "off junction", r.side, junction ? r.in_pvs : r.off_pvs,
+                 junction ? r.in_pvs / r.in_vs : r.off_pvs / r.off_vs, junction ? r.in_seconds : r.off_seconds,
+                 m.triangles, m.objects, vs, m.objects / vs, m.seconds});
+      if (size == Size::smoke) break;
+    }
+  table.notes = {"Objects are buildings. VS: guided sampling, 10^7 rays, a lower bound; the paper samples viewpoints.",
+                 std::to_string(model.scene.triangles.size()) + " triangles; hierarchy and bodies built in " +
+                   std::to_string(model.build_seconds) + " s."};
+}
+
+void umbrae(Report& report, Size size)
+{
+  struct Published {
+    double side, vs, half, half_seconds, full, full_seconds;
+  };
+  std::vector<Published> const table_3{{3, 7536, 28296, 0.966, 18968, 1.354},
+                                       {9, 7720, 31936, 1.149, 22368, 1.704},
+                                       {14, 7808, 33504, 1.184, 22576, 1.745},
+                                       {25, 8304, 36480, 1.253, 24520, 1.845}};
+  auto& table = report.table(
+    "Table 3: half and full umbra, 30 % of the buildings on decks (paper | ours)",
+    {"cell side, m", "paper: half / full", "half, objects", "full, objects", "half / full", "half, s", "full, s"});
+  Model const model(size == Size::full ? "urban,n=90000" : "urban,n=100", false);
+  for (auto const& r : table_3) {
+    ViewCell const cell = cell_at(0, 0, r.side, 2.5);
+    auto const half = measure(*model.prepared, cell, {.umbra = visibility::ray_space::Umbra::half}, false);
+    auto const full = measure(*model.prepared, cell, {}, false);
+    table.add(
+      {r.side, r.half / r.full, half.objects, full.objects, half.objects / full.objects, half.seconds, full.seconds});
+    if (size == Size::smoke) break;
+  }
+}
+
+void resolution(Report& report, Size size)
+{
+  struct Published {
+    double resolution, pvs, seconds;
+  };
+  std::vector<Published> const table_4{
+    {128, 36936, 0.626}, {256, 27920, 1.217}, {512, 21608, 2.011}, {1024, 14168, 5.335}};
+  auto& table =
+    report.table("Table 4: resolution of ray space, cell of 25 in the junction (paper | ours)",
+                 {"resolution", "paper: PVS, triangles", "paper, s", "ours: PVS, triangles", "objects", "ours, s"});
+  Model const model(specification(size), false);
+  for (auto const& r : table_4) {
+    auto const m = measure(*model.prepared, cell_at(0, 0, 25, 2.5), {.resolution = static_cast<int>(r.resolution)});
+    table.add({r.resolution, r.pvs, r.seconds, m.triangles, m.objects, m.seconds});
+    if (size == Size::smoke) break;
+  }
+  table.notes = {"The paper's exact set has 10072 triangles."};
+}
+
+}  // namespace visibility::bench::ray_space

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "visibility/methods/ray_space/occlusion_map.hpp"
+#include "visibility/methods/ray_space/rounding.hpp"
+
+#include <algorithm>
+#include <optional>
+
+/// Which pixels the lines that meet a box in plan belong to. [Leyvand03, section 2.2]; proofs/ray_space.md,
+/// "Footprints".
+namespace visibility::ray_space {
+
+/// The part of a box that is not behind the cell, as a frame sees it; rounded outward.
+struct LocalBox {
+  double u0, u1, v0, v1;
+  Extent extent;
+};
+
+inline bool in_reach(LocalPoint const& p)
+{
+  return std::fabs(p.u) < Frame::reach && std::fabs(p.v) < Frame::reach && std::fabs(p.z) < Frame::reach;
+}
+
+/// Distance from the back of the frame, where nothing behind it is looked at.
+inline float near_of(double u, double back)
+{
+  return std::max(0.0F, float_below(safely_below(u + back) - 0x1p-50 * back));
+}
+inline float far_of(double u, double back) { return float_above(safely_above(u + back) + 0x1p-50 * back); }
+
+/// None if all of the box is behind the cell. Requires: the box is in reach.
+inline std::optional<LocalBox> local_box(Frame const& frame, Box const& box)
+{
+  LocalPoint const a = frame.local(box.min), b = frame.local(box.max);
+  double const back = frame.half_length();
+  LocalBox out{
+    safely_below(std::min(a.u, b.u)), safely_above(std::max(a.u, b.u)), safely_below(a.v), safely_above(b.v), {}};
+  if (out.u1 < -back) return std::nullopt;
+  out.u0 = std::max(out.u0, -back);
+  out.extent = {near_of(out.u0, back), far_of(out.u1, back), float_below(safely_below(a.z)),
+                float_above(safely_above(b.z))};
+  return out;
+}
+
+/// Whether the corners of a box have usable local coordinates.
+inline bool in_reach(Frame const& frame, Box const& box)
+{
+  return in_reach(frame.local(box.min)) && in_reach(frame.local(box.max));
+}
+
+/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether
+/// it always returned true.
+template <class InRow>
+bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row)
+{
+  double const slack =
+    frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)), std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
+  int first = 0, last = frame.rows();
+  if (b.u0 > 0) {
+    // Lines with |s| at most that of the frame reach the box with slopes between these.
+    double const s = frame.s(frame.columns()) + slack, step = frame.t(1) - frame.t(0);
+    double const low = b.v0 - s, high = b.v1 + s;
+    double const t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
+    first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
+    last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
+  }
+  for (int row = first; row < last; ++row) {
+    double const t0 = frame.t(row), t1 = frame.t(row + 1);
+    double const least = std::min(std::min(t0 * b.u0, t0 * b.u1), std::min(t1 * b.u0, t1 * b.u1));
+    double const most = std::max(std::max(t0 * b.u0, t0 * b.u1), std::max(t1 * b.u0, t1 * b.u1));
+    int const from = frame.columns_below(b.v0 - most - slack), to = frame.columns_from(b.v1 - least + slack);
+    if (from < to && !in_row(row, from, to)) return false;
+  }
+  return true;
+}
+
+}  // namespace visibility::ray_space

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "visibility/methods/ray_space/occlusion_map.hpp"
+
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace visibility::ray_space {
+
+/// Asks occlusion maps whether all of a box, or of the convex hull of points, is hidden: in every pixel that its
+/// footprint meets, whatever lies there. Answers "hidden" only if it is; what is out of the domain is visible.
+/// Keeps its scratch memory from question to question.
+class OccludeeTest {
+public:
+  /// A frame with its map. Requires: both outlive this.
+  struct Family {
+    Frame const* frame;
+    OcclusionMap const* map;
+  };
+  explicit OccludeeTest(std::vector<Family> families) : families_(std::move(families)) {}
+
+  /// One extent for the whole box.
+  bool hidden(Box const& box);
+  /// In each pixel only what of the hull lies between its outermost lines. `bounds`: contains the points.
+  bool hidden(Box const& bounds, std::span<Point3d const> points);
+
+private:
+  void localize(Frame const& frame, std::span<Point3d const> points);
+  bool hidden_in_pixel(Family const& family, int row, int column);
+  void clip(Frame const& frame, int row, int column);
+  void add(Frame const& frame, double u, double z, double du, double dz);
+
+  std::vector<Family> families_;
+  std::vector<LocalPoint> points_;
+  std::vector<double> margin_, low_side_, high_side_;
+  double nearest_ = 0, farthest_ = 0;  // u of the hull
+  std::vector<Extent> extents_;        // points of the clipped hull in the slices
+};
+
+}  // namespace visibility::ray_space

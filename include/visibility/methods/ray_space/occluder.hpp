@@ -1,0 +1,52 @@
+#pragma once
+
+#include "visibility/methods/ray_space/chords.hpp"
+#include "visibility/methods/ray_space/occlusion_map.hpp"
+#include "visibility/methods/ray_space/options.hpp"
+
+#include <vector>
+
+namespace visibility::ray_space {
+
+/// Enters convex bodies into occlusion maps: in each pixel all of whose lines cross the body, the gate that its slices
+/// hold in common. Keeps its scratch memory from body to body.
+class OccluderWriter {
+public:
+  /// `floor`: no point of the cell and of anything that is looked for lies lower; a body that reaches it has no sight
+  /// lines below.
+  OccluderWriter(double floor, Options const& options) : floor_(floor), options_(options) {}
+
+  /// Returns the number of pixels written; those in which all of `bounds`, which contains the body, is hidden are left
+  /// out, since it can add nothing there. Points out of the domain of the frame make the body no occluder.
+  std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map);
+
+private:
+  /// The extremes of one end of the slices of a pixel. `far`: the largest u.
+  struct End {
+    double slope, separating, far;
+  };
+  /// What a chord may be used for in one row.
+  struct RowChord {
+    std::size_t i, j;  ///< all lines pass below point i and above point j of the plan
+    bool top, bottom, ground;
+  };
+
+  bool localize(Chords const& body, Frame const& frame);
+  std::size_t write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
+  void cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to);
+  void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps);
+  bool is_gap(int column) const;
+
+  double floor_;
+  Options options_;
+  std::vector<LocalPoint> points_;
+  std::vector<double> margin_;
+  std::vector<bool> ground_;
+  std::vector<double> below_limit_, above_limit_;  // per point: lines with s up to the one pass below it, from the
+                                                   // other on above
+  std::vector<int> below_, above_;                 // the same in columns: [0, below) and from `above` on
+  std::vector<End> top_, bottom_;                  // per column
+  std::vector<unsigned char> open_;                // per column: not hidden yet
+};
+
+}  // namespace visibility::ray_space

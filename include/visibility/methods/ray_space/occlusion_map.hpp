@@ -1,0 +1,55 @@
+#pragma once
+
+#include "visibility/methods/ray_space/frame.hpp"
+
+#include <vector>
+
+namespace visibility::ray_space {
+
+/// A part of a slice: all within [near, far] from the back of the frame and [low, high] in height. Bounds rounded
+/// outward.
+struct Extent {
+  float near, far, low, high;
+};
+
+/// For each pixel of a frame up to a fixed number of gates that hold for all its lines. [Leyvand03, section 4]
+class OcclusionMap {
+public:
+  OcclusionMap(Frame const& frame, int components);
+
+  /// Adds a gate to a pixel: fuses it with those that are there where no gap is left, and keeps the largest.
+  void insert(int row, int column, Gate gate);
+
+  /// The first of the pixels [from, to) of the row in which no single gate hides the extent; `to` if there is none.
+  int first_visible(int row, int from, int to, Extent const& extent) const;
+
+  /// The same for all of the pixels: open[i - from] is 0 where one gate hides the extent. Returns whether any is not.
+  bool visible_pixels(int row, int from, int to, Extent const& extent, unsigned char* open) const;
+
+  int components() const { return components_; }
+  /// A gate of a pixel; one that hides nothing has beyond = infinity.
+  Gate gate(int row, int column, int component) const;
+
+private:
+  // Of a row, per component: columns of floats, one for each of these.
+  enum Field { beyond, top_slope, top_base, bottom_slope, bottom_base, top_separating, bottom_separating, fields };
+  float const* column(int row, int component, Field f) const
+  {
+    return &data_[((static_cast<std::size_t>(row) * static_cast<std::size_t>(components_) +
+                    static_cast<std::size_t>(component)) *
+                     fields +
+                   f) *
+                  static_cast<std::size_t>(columns_)];
+  }
+  float* column(int row, int component, Field f)
+  {
+    return const_cast<float*>(static_cast<OcclusionMap const*>(this)->column(row, component, f));
+  }
+  void hide(int row, int from, int n, Extent const& extent, unsigned char* hidden) const;
+  void set(int row, int column, int component, Gate const& gate);
+
+  int columns_, components_;
+  std::vector<float> data_;
+};
+
+}  // namespace visibility::ray_space

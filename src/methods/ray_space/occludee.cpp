@@ -1,0 +1,121 @@
+#include "visibility/methods/ray_space/occludee.hpp"
+
+#include "visibility/methods/ray_space/footprint.hpp"
+
+#include <algorithm>
+
+namespace visibility::ray_space {
+
+bool OccludeeTest::hidden(Box const& box)
+{
+  return std::ranges::all_of(families_, [&](Family const& f) {
+    if (!in_reach(*f.frame, box)) return false;
+    auto const local = local_box(*f.frame, box);
+    return !local || every_row(*f.frame, *local, [&](int row, int from, int to) {
+      return f.map->first_visible(row, from, to, local->extent) == to;
+    });
+  });
+}
+
+bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
+{
+  return std::ranges::all_of(families_, [&](Family const& f) {
+    if (!in_reach(*f.frame, bounds)) return false;
+    auto const local = local_box(*f.frame, bounds);
+    if (!local) return true;
+    localize(*f.frame, points);
+    return every_row(*f.frame, *local, [&](int row, int from, int to) {
+      double const t0 = f.frame->t(row), t1 = f.frame->t(row + 1);
+      double low = HUGE_VAL, high = -HUGE_VAL;
+      for (std::size_t i = 0; i < points_.size(); ++i) {
+        auto const& p = points_[i];
+        low = std::min(low, p.v - std::max(t0 * p.u, t1 * p.u) - margin_[i]);
+        high = std::max(high, p.v - std::min(t0 * p.u, t1 * p.u) + margin_[i]);
+      }
+      from = std::max(from, f.frame->columns_below(low));
+      to = std::min(to, f.frame->columns_from(high));
+      for (int c = from; c < to; ++c) {
+        c = f.map->first_visible(row, c, to, local->extent);
+        if (c < to && !hidden_in_pixel(f, row, c)) return false;
+      }
+      return true;
+    });
+  });
+}
+
+void OccludeeTest::localize(Frame const& frame, std::span<Point3d const> points)
+{
+  points_.clear();
+  margin_.clear();
+  nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;
+  for (auto const& p : points) {
+    points_.push_back(frame.local(p));
+    nearest_ = std::min(nearest_, points_.back().u);
+    farthest_ = std::max(farthest_, points_.back().u);
+  }
+  // What is behind the cell is not looked at.
+  nearest_ = std::max(nearest_, -frame.half_length());
+  for (auto const& p : points_)
+    margin_.push_back(frame.margin({std::max(std::fabs(p.u), std::fabs(farthest_)), p.v, 0}));
+  low_side_.resize(points_.size());
+  high_side_.resize(points_.size());
+}
+
+void OccludeeTest::add(Frame const& frame, double u, double z, double du, double dz)
+{
+  double const back = frame.half_length();
+  extents_.push_back({near_of(u - du, back), far_of(u + du, back), float_below(safely_below(z - dz)),
+                      float_above(safely_above(z + dz))});
+}
+
+/// Fills extents_ with points whose hull contains what of the hull of points_ the lines of the pixel meet.
+void OccludeeTest::clip(Frame const& frame, int row, int column)
+{
+  extents_.clear();
+  std::size_t const n = points_.size();
+  double const s0 = frame.s(column), s1 = frame.s(column + 1);
+  // The lines of a pixel lie between min(s0 + t0 u, s0 + t1 u) and max(s1 + t0 u, s1 + t1 u). Between the ends of the
+  // hull the chord of the one is below it (concave), and that of the other above.
+  double const t0 = frame.t(row), t1 = frame.t(row + 1);
+  double const low_a = std::min(t0 * nearest_, t1 * nearest_), low_b = std::min(t0 * farthest_, t1 * farthest_);
+  double const high_a = std::max(t0 * nearest_, t1 * nearest_), high_b = std::max(t0 * farthest_, t1 * farthest_);
+  double const length = farthest_ - nearest_;
+  double const low_t = length > 0 ? (low_b - low_a) / length : 0, high_t = length > 0 ? (high_b - high_a) / length : 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    auto const& p = points_[i];
+    double const along = p.u - nearest_;
+    low_side_[i] = p.v - (s0 + low_a + low_t * along);  // >= 0 inside
+    high_side_[i] = (s1 + high_a + high_t * along) - p.v;
+    if (low_side_[i] >= -margin_[i] && high_side_[i] >= -margin_[i]) add(frame, p.u, p.z, 0, 0);
+  }
+  for (auto const* const side : {&low_side_, &high_side_})
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t j = 0; j < n; ++j) {
+        double const a = (*side)[i], b = (*side)[j];
+        if (!(a < 0 && b > 0)) continue;
+        auto const &p = points_[i], &q = points_[j];
+        double const width = b - a, off = (margin_[i] + margin_[j]) / (4 * width) + 0x1p-50;
+        for (double const part : {std::max(0.0, -a / width - off), std::min(1.0, -a / width + off)})
+          add(frame, p.u + part * (q.u - p.u), p.z + part * (q.z - p.z), 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u)),
+              0x1p-48 * (std::fabs(p.z) + std::fabs(q.z)));
+      }
+}
+
+bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
+{
+  clip(*f.frame, row, column);
+  // A gate hides a convex set iff it hides its extreme points.
+  for (int k = 0; k < f.map->components(); ++k) {
+    Gate const g = f.map->gate(row, column, k);
+    auto const hides = [&](Extent const& e) {
+      double const near = e.near, far = e.far;
+      auto const line = [](GateEnd const& end, double u) { return double(end.base) + double(end.slope) * u; };
+      return e.near > g.beyond && line(g.top, near) > e.high && line(g.top, far) > e.high &&
+             (reaches_ground(g) || (line(g.bottom, near) < e.low && line(g.bottom, far) < e.low));
+    };
+    if (std::ranges::all_of(extents_, hides)) return true;
+  }
+  return false;
+}
+
+}  // namespace visibility::ray_space

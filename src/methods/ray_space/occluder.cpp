@@ -1,0 +1,266 @@
+#include "visibility/methods/ray_space/occluder.hpp"
+
+#include "visibility/methods/ray_space/footprint.hpp"
+
+#include <array>
+#include <span>
+#include <utility>
+
+namespace visibility::ray_space {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Where the lines of one slope cross the chord from p to q in plan: affine in s, as the width between its ends is the
+/// same for all. Requires where it is used: the line passes below p and above q, by their margins.
+class Crossing {
+public:
+  Crossing(LocalPoint const& p, LocalPoint const& q, double margins, double scale, double t)
+    : u_(p.u), z_(p.z), along_u_(q.u - p.u), along_z_(q.z - p.z), below_(t * p.u - p.v)
+  {
+    double const inverse = 1 / ((t * q.u - q.v) - below_), off = 0.25 * margins * std::fabs(inverse) + 0x1p-50;
+    rate_ = -inverse;
+    du_ = off * std::fabs(along_u_) + 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u) + scale);
+    dz_ = off * std::fabs(along_z_) + 0x1p-48 * (std::fabs(p.z) + std::fabs(q.z) + scale);
+  }
+
+  SlicePoint operator()(double s) const
+  {
+    double const part = (s + below_) * rate_, u = u_ + part * along_u_, z = z_ + part * along_z_;
+    return {u - du_, u + du_, z - dz_, z + dz_};
+  }
+
+private:
+  double u_, z_, along_u_, along_z_, below_, rate_, du_, dz_;
+};
+
+/// The crossing as the paper's appendix bounds it over the whole footprint of a chord: distance and height are
+/// first-order rational functions with one denominator, the width between the ends as the line sees them. Of the two,
+/// the one that changes less becomes a constant, the other a plane: its numerator over the least or the greatest width.
+class LinearCrossing {
+public:
+  LinearCrossing(Frame const& frame, LocalPoint const& p, LocalPoint const& q, double margins)
+    : p_(&p), q_(&q), margins_(margins), scale_(frame.half_length() + frame.height()),
+      height_is_constant_(std::fabs(q.z - p.z) * (std::fabs(p.u) + std::fabs(q.u)) <=
+                          std::fabs(q.u - p.u) * (std::fabs(p.z) + std::fabs(q.z)))
+  {
+    // Slopes of lines of the frame to the ends; the width depends on the slope alone.
+    double low = frame.t(frame.rows()), high = frame.t(0);
+    double const s = frame.s(frame.columns());
+    for (auto const* e : {&p, &q}) {
+      low = e->u > 0 ? std::min(low, (e->v - s) / e->u) : frame.t(0);
+      high = e->u > 0 ? std::max(high, (e->v + s) / e->u) : frame.t(frame.rows());
+    }
+    low = std::max(low, frame.t(0)), high = std::min(high, frame.t(frame.rows()));
+    double const a = low * (q.u - p.u) - (q.v - p.v), b = high * (q.u - p.u) - (q.v - p.v);
+    least_ = std::min(a, b) - margins;
+    most_ = std::max(a, b) + margins;
+  }
+
+  SlicePoint operator()(double s, double t) const
+  {
+    LocalPoint const &p = *p_, &q = *q_;
+    double const below = s + t * p.u - p.v, above = s + t * q.u - q.v;
+    auto const constant = [](double x, double y) { return std::pair(std::min(x, y), std::max(x, y)); };
+    // (above x - below y) / width, within the values at the ends.
+    auto const plane = [&](double x, double y) {
+      double const numerator = above * x - below * y;
+      double const off =
+        margins_ * (std::fabs(x) + std::fabs(y)) + 0x1p-48 * (std::fabs(above * x) + std::fabs(below * y));
+      auto [low, high] = constant(x, y);
+      if (!(least_ > 0)) return std::pair(low, high);
+      low = std::max(low, std::min((numerator - off) / most_, (numerator - off) / least_));
+      high = std::min(high, std::max((numerator + off) / most_, (numerator + off) / least_));
+      return std::pair(low, high);
+    };
+    auto const [u0, u1] = height_is_constant_ ? plane(p.u, q.u) : constant(p.u, q.u);
+    auto const [z0, z1] = height_is_constant_ ? constant(p.z, q.z) : plane(p.z, q.z);
+    double const du = 0x1p-47 * (std::fabs(p.u) + std::fabs(q.u) + scale_);
+    double const dz = 0x1p-47 * (std::fabs(p.z) + std::fabs(q.z) + scale_);
+    return {u0 - du, u1 + du, z0 - dz, z1 + dz};
+  }
+
+private:
+  LocalPoint const *p_, *q_;
+  double margins_, scale_, least_ = 0, most_ = 0;
+  bool height_is_constant_;
+};
+
+GateEnd top_end(double slope, double separating, CellSlice const& k, double back)
+{
+  GateEnd e{float_below(safely_below(slope)), 0, float_below(safely_below(separating))};
+  double const run = (e.slope >= 0 ? k.u_in : k.u_out) + back, drop = double(e.slope) * run;
+  e.base = float_below(k.height - drop - 0x1p-47 * (k.height + std::fabs(double(e.slope)) * 2 * back));
+  return e;
+}
+
+GateEnd bottom_end(double slope, double separating, CellSlice const& k, double back)
+{
+  if (slope == -infinity) return open_bottom;
+  GateEnd e{float_above(safely_above(slope)), 0, float_above(safely_above(separating))};
+  double const run = (e.slope >= 0 ? k.u_out : k.u_in) + back, drop = double(e.slope) * run;
+  e.base = float_above(-drop + 0x1p-47 * std::fabs(double(e.slope)) * 2 * back);
+  return e;
+}
+
+}  // namespace
+
+bool OccluderWriter::localize(Chords const& body, Frame const& frame)
+{
+  points_.clear();
+  margin_.clear();
+  ground_.clear();
+  bool ahead = false;
+  for (auto const& p : body.points) {
+    LocalPoint const q = frame.local(p);
+    if (!(std::fabs(q.u) < Frame::reach && std::fabs(q.v) < Frame::reach && std::fabs(q.z) < Frame::reach))
+      return false;
+    ahead |= q.u > -frame.half_length();
+    points_.push_back(q);
+    margin_.push_back(frame.margin(q));
+    ground_.push_back(p.z <= floor_);
+  }
+  return ahead;
+}
+
+void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to)
+{
+  LocalPoint const &p = points_[chord.i], &q = points_[chord.j];
+  double const margins = margin_[chord.i] + margin_[chord.j], scale = frame.half_length() + frame.height();
+  double const t0 = frame.t(row), t1 = frame.t(row + 1);
+  Crossing const first(p, q, margins, scale, t0), second(p, q, margins, scale, t1);
+  LinearCrossing const linear(frame, p, q, margins);
+  auto const at = [&](int line, Crossing const& crossing, double t) {
+    return options_.bounds == Bounds::exact ? crossing(frame.s(line)) : linear(frame.s(line), t);
+  };
+  std::array<SlicePoint, 4> corner;
+  int last = -1;  // the pixel whose upper corners are known
+  for (int c = from; c < to; ++c) {
+    if (open_[static_cast<std::size_t>(c)] == 0) continue;
+    auto const* const k = frame.cell_slice(row, c);
+    if (k == nullptr) continue;
+    if (last == c - 1 && last >= 0)
+      corner[0] = corner[2], corner[1] = corner[3];
+    else
+      corner[0] = at(c, first, t0), corner[1] = at(c, second, t1);
+    corner[2] = at(c + 1, first, t0);
+    corner[3] = at(c + 1, second, t1);
+    last = c;
+    SlicePoint all = corner[0];
+    for (auto const& x : corner) {
+      all.u_low = std::min(all.u_low, x.u_low), all.u_high = std::max(all.u_high, x.u_high);
+      all.z_low = std::min(all.z_low, x.z_low), all.z_high = std::max(all.z_high, x.z_high);
+    }
+    if (!(all.u_low - k->u_out > 0x1p-30 * frame.half_length())) continue;
+    // At constant height the tangents are extreme where the distance is.
+    std::span<SlicePoint const> const extremes = p.z == q.z ? std::span(&all, 1) : std::span<SlicePoint const>(corner);
+    auto& top = top_[static_cast<std::size_t>(c)];
+    auto& bottom = bottom_[static_cast<std::size_t>(c)];
+    // One corner shows where a chord cannot be better than those before it.
+    if (chord.top && least_upper_tangent(*k, extremes.front()) > top.slope) {
+      End e{infinity, infinity, all.u_high};
+      for (auto const& x : extremes) {
+        e.slope = std::min(e.slope, least_upper_tangent(*k, x));
+        e.separating = std::min(e.separating, least_lower_tangent(*k, x));
+      }
+      if (e.slope > top.slope) top = e;
+    }
+    if (chord.ground) {
+      if (bottom.slope != -infinity || all.u_high < bottom.far) bottom = {-infinity, -infinity, all.u_high};
+    } else if (chord.bottom && bottom.slope != -infinity && options_.umbra == Umbra::full &&
+               greatest_lower_tangent(*k, extremes.front()) < bottom.slope) {
+      End e{-infinity, -infinity, all.u_high};
+      for (auto const& x : extremes) {
+        e.slope = std::max(e.slope, greatest_lower_tangent(*k, x));
+        e.separating = std::max(e.separating, greatest_upper_tangent(*k, x));
+      }
+      if (e.slope < bottom.slope) bottom = e;
+    }
+  }
+}
+
+bool OccluderWriter::is_gap(int column) const
+{
+  auto const c = static_cast<std::size_t>(column);
+  return top_[c].slope == -infinity || bottom_[c].slope == infinity;
+}
+
+void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps)
+{
+  for (auto const& chord : chords) {
+    std::size_t const a = chord.from, b = chord.to;
+    for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
+      int const from = above_[j], to = below_[i];
+      if (from >= to) continue;
+      RowChord const row_chord{i, j, chord.top, chord.bottom, ground_[a] && ground_[b]};
+      if (!only_gaps) {
+        cross_row(frame, row, row_chord, from, to);
+        continue;
+      }
+      for (int c = from; c < to; ++c)
+        if (is_gap(c)) cross_row(frame, row, row_chord, c, c + 1);
+    }
+  }
+}
+
+std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map)
+{
+  if (!in_reach(frame, bounds) || !localize(body, frame)) return 0;
+  auto const box = local_box(frame, bounds);
+  if (!box) return 0;
+  std::size_t const columns = static_cast<std::size_t>(frame.columns());
+  for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
+  for (auto* const columns_of : {&below_, &above_}) columns_of->resize(points_.size());
+  top_.resize(columns);
+  bottom_.resize(columns);
+  open_.resize(columns);
+  std::size_t written = 0;
+  every_row(frame, *box, [&](int row, int, int) {
+    double const t0 = frame.t(row), t1 = frame.t(row + 1);
+    double least = infinity, most = -infinity;
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      auto const& p = points_[i];
+      double const x = t0 * p.u, y = t1 * p.u;
+      below_limit_[i] = p.v - std::max(x, y) - margin_[i];
+      above_limit_[i] = p.v - std::min(x, y) + margin_[i];
+      least = std::min(least, above_limit_[i]);
+      most = std::max(most, below_limit_[i]);
+    }
+    if (!(least < most)) return true;
+    int const from = frame.columns_from(least), to = frame.columns_below(most);
+    if (from < to && map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)]))
+      written += write_row(body, frame, map, row, from, to);
+    return true;
+  });
+  return written;
+}
+
+std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from,
+                                      int to)
+{
+  for (int c = from; c < to; ++c) {
+    top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
+    bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
+  }
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    below_[i] = frame.columns_below(below_limit_[i]);
+    above_[i] = frame.columns_from(above_limit_[i]);
+  }
+  add_chords(body.edges, frame, row, false);
+  add_chords(body.others, frame, row, true);
+  std::size_t written = 0;
+  double const back = frame.half_length();
+  for (int c = from; c < to; ++c) {
+    if (is_gap(c)) continue;
+    auto const& k = *frame.cell_slice(row, c);
+    auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
+    map.insert(row, c,
+               {top_end(top.slope, top.separating, k, back), bottom_end(bottom.slope, bottom.separating, k, back),
+                float_above(safely_above(std::max(top.far, bottom.far) + back))});
+    ++written;
+  }
+  return written;
+}
+
+}  // namespace visibility::ray_space
