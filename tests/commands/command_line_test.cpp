@@ -218,6 +218,10 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
                                      "pvs gen:city" + cell + "--method sampling --rays 0",
                                      "pvs gen:city" + cell + "--method sampling --rays 1.5",
                                      "pvs gen:city" + cell + "--method sampling --rays many",
+                                     "pvs gen:city" + cell + "--method extended-projection --resolution 0",
+                                     "pvs gen:city" + cell + "--method extended-projection --plane-distances=5,-1",
+                                     "pvs gen:city" + cell + "--method occlusion-sweep --arithmetic rational",
+                                     "pvs gen:city" + cell + "--method occlusion-sweep --kernel 1",
                                      "pvs gen:city" + cell + "--cells " + empty,
                                      "pvs gen:city,n=10" + cell + "-o " + (folder / "no/such/folder/pvs.json"),
                                      "pvs " + (folder / "missing.obj") + cell + "-o " + (folder / "out.json"),
@@ -325,6 +329,32 @@ TEST_CASE("command line: --explain writes the visible edges, funnels and shadow 
   REQUIRE(visibility_command(folder, pvs + "strong-occlusion --explain " + lines).exit_code == 2);
   REQUIRE(visibility_command(folder, pvs + "exact-2.5d --arithmetic double --explain " + lines).exit_code == 2);
   REQUIRE(visibility_command(folder, pvs + "exact-2.5d --occludees gen:city,n=10 --explain " + lines).exit_code == 2);
+}
+
+TEST_CASE("command line: extended-projection and occlusion-sweep keep the exact set", "[commands]")
+{
+  Folder const folder;
+  auto const pvs = [&](std::string const& method) {
+    auto const file = folder / "pvs.json";
+    auto const run =
+      visibility_command(folder, "pvs gen:city,n=500 --cell=-20,-20,0,20,20,3 --method " + method + " -o " + file);
+    INFO(run.err);
+    REQUIRE(run.exit_code == 0);
+    return read_results(file).front();
+  };
+  auto const exact = pvs("exact-2.5d");
+  for (std::string const method : {"extended-projection", "occlusion-sweep"}) {
+    auto const set = pvs(method + " --resolution 128 --plane-distances 200,400,800 --no-improved");
+    REQUIRE(set.method == method);
+    REQUIRE(set.guarantee == Guarantee::conservative);
+    REQUIRE(set.options.at("resolution") == "128");
+    REQUIRE(set.options.at("improved") == "off");
+    REQUIRE(set.options.at("plane-distances").starts_with("200"));
+    REQUIRE(std::ranges::includes(set.visible, exact.visible));
+    REQUIRE(set.visible.size() < set.objects);
+    REQUIRE(visibility_command(folder, "check gen:city,n=500 " + (folder / "pvs.json") + " --rays 100000").exit_code ==
+            0);
+  }
 }
 
 TEST_CASE("command line: --grounded is recorded, and check asks for it", "[commands]")

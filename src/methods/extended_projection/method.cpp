@@ -40,10 +40,10 @@ public:
 
   void add_object(std::uint32_t object)
   {
-    auto const first = scene_.occluders().first_of_object();
-    for (auto i = first[object]; i < first[object + 1]; ++i)
+    auto const range = worthwhile_occluders(scene_, cell_, object);
+    for (auto i = range.first; i < range.last; ++i)
       if (!added_[i] && approximate_pixels(scene_.occluders().bounds()[i], cell_, resolution_) >= fewest_pixels &&
-          is_useful(scene_, cell_, i))
+          blocks(scene_, cell_, i))
         add(i);
   }
   void refresh()

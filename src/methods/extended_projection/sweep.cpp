@@ -132,15 +132,10 @@ private:
     };
     walk(scene_.object_hierarchy(), is_between, [&](std::uint32_t object) {
       if (hidden_[object]) return;
-      auto const first = occluders.first_of_object()[object], last = occluders.first_of_object()[object + 1];
-      // Inner bodies come last; where there are some, the single triangles are left out.
-      for (auto o = last; o-- > first;) {
-        if (!is_between(occluders.bounds()[o])) continue;
-        if (!is_useful(scene_, cell_, o)) {
-          if (o + 1 < last && occluders.is_body(o) && !occluders.is_body(last - 1)) break;
-          continue;
-        }
-        if (!map.seems_useful(frame(occluders.bounds()[o]))) continue;
+      auto const range = worthwhile_occluders(scene_, cell_, object);
+      for (auto o = range.first; o < range.last; ++o) {
+        if (!is_between(occluders.bounds()[o]) || !map.seems_useful(frame(occluders.bounds()[o]))) continue;
+        if (!blocks(scene_, cell_, o)) continue;
         ++occluders_;
         pixels_ += projector_.add(o, map, map.plane());
         if (occluders_ % refresh_after == 0) map.refresh();

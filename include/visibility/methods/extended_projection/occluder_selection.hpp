@@ -11,13 +11,16 @@ namespace visibility::extended_projection {
 /// How large a box is seen from the middle of the cell, in pixels of a map of so many: about. A choice.
 double approximate_pixels(Box const& box, ViewCell const& cell, int resolution);
 
-/// Whether the occluder blocks from the cell, and is not a single triangle of an object that has convex bodies inside
-/// which do. The second part is a choice.
-bool is_useful(PreparedScene const& scene, ViewCell const& cell, std::uint32_t occluder);
+/// Positions of the occluders of an object that are worth projecting: all, but where convex bodies inside the object
+/// block from the cell the largest of these, in place of its single triangles. A choice.
+IndexRange worthwhile_occluders(PreparedScene const& scene, ViewCell const& cell, std::uint32_t object);
+
+/// Whether the occluder blocks from the cell.
+bool blocks(PreparedScene const& scene, ViewCell const& cell, std::uint32_t occluder);
 
 /// The occluders of the largest solid angle as seen from the middle of the cell, the largest first: about, by surfaces
 /// of boxes and squared distances, best first through the hierarchy [Durand00, 6.1]. Fewer if the scene has fewer.
-/// A choice. Only useful ones.
+/// A choice. Only worthwhile ones, which block from the cell.
 std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell const& cell, std::size_t count);
 
 }  // namespace visibility::extended_projection

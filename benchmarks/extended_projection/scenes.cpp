@@ -1,0 +1,48 @@
+#include "scenes.hpp"
+
+#include <cmath>
+
+namespace visibility::bench::extended_projection {
+
+Model::Model(std::string const& specification, bool inner_bodies)
+  : name(specification), scene(generate(specification)),
+    prepared(inner_bodies ? std::make_unique<PreparedScene>(scene, InnerBodyOptions{})
+                          : std::make_unique<PreparedScene>(scene))
+{
+}
+
+std::vector<ViewCell> street_cells(int count)
+{
+  std::vector<ViewCell> cells;
+  for (int i = 0; i < count; ++i) {
+    double const at = 10 + 4.0 * (i / 2);
+    cells.emplace_back(i % 2 == 0 ? Box{{at, -5, 0.5}, {at + 4, 5, 2}} : Box{{-5, at, 0.5}, {5, at + 4, 2}});
+  }
+  return cells;
+}
+
+std::vector<ViewCell> crown_cells(int count, double side)
+{
+  std::vector<ViewCell> cells;
+  for (int i = 0; i < count; ++i) {
+    double const x = i % 3 - 1 - side / 2, y = i / 3 % 3 - 1 - side / 2;
+    cells.emplace_back(Box{{x, y, 5.5}, {x + side, y + side, 5.5 + side}});
+  }
+  return cells;
+}
+
+double fitted_exponent(std::vector<std::pair<double, double>> const& points)
+{
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (auto const& [a, b] : points) {
+    double const u = std::log(a), v = std::log(b);
+    n += 1;
+    x += u;
+    y += v;
+    xx += u * u;
+    xy += u * v;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+}  // namespace visibility::bench::extended_projection

@@ -1,0 +1,66 @@
+#pragma once
+
+#include "experiments.hpp"
+
+#include "visibility/scene/generators.hpp"
+#include "visibility/scene/potentially_visible_set.hpp"
+#include "visibility/scene/prepared_scene.hpp"
+#include "visibility/scene/view_cell.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace visibility::bench::extended_projection {
+
+/// A generated scene, prepared; stays where it is.
+struct Model {
+  Model(std::string const& specification, bool inner_bodies);
+  Model(Model const&) = delete;
+  Model& operator=(Model const&) = delete;
+
+  std::string name;
+  Scene scene;
+  std::unique_ptr<PreparedScene> prepared;
+};
+
+/// Cells of a street of the district about the origin, as wide as the street but for 2 m on either side, 4 m long, from
+/// 0.5 m to 2 m above the ground, along both streets that cross there.
+std::vector<ViewCell> street_cells(int count);
+/// Cubes among the crowns of the forest, in the free square about the origin.
+std::vector<ViewCell> crown_cells(int count, double side);
+
+/// Means over cells.
+struct Means {
+  double seconds = 0;  ///< processor time
+  double visible = 0, hidden_percent = 0, hidden_polygons_percent = 0;
+  double occluders = 0, pixels = 0, planes = 0;
+};
+
+template <class Method>
+Means measure(Model const& model, std::vector<ViewCell> const& cells, Method const& method)
+{
+  Means m;
+  double const n = static_cast<double>(cells.size()), objects = static_cast<double>(model.scene.objects.size());
+  double polygons = 0;
+  for (auto const& cell : cells) {
+    PotentiallyVisibleSet set;
+    m.seconds += median_seconds<ProcessorClock>(1, 0, [&] { set = method(*model.prepared, cell); }) / n;
+    m.visible += static_cast<double>(set.visible.size()) / n;
+    for (auto const o : set.visible) {
+      auto const& object = model.scene.objects[o];
+      polygons += static_cast<double>(object.triangles.size() + 12 * object.boxes.size()) / n;
+    }
+    for (auto const& [name, to] : {std::pair{"occluders", &m.occluders}, {"pixels", &m.pixels}, {"planes", &m.planes}})
+      if (set.statistics.contains(name)) *to += set.statistics.at(name) / n;
+  }
+  double const all = static_cast<double>(model.scene.triangles.size() + 12 * model.scene.boxes.size());
+  m.hidden_percent = 100 * (1 - m.visible / objects);
+  m.hidden_polygons_percent = 100 * (1 - polygons / all);
+  return m;
+}
+
+/// Least-squares exponent e of y ~ x^e. Requires: positive numbers.
+double fitted_exponent(std::vector<std::pair<double, double>> const& points);
+
+}  // namespace visibility::bench::extended_projection
