@@ -35,7 +35,7 @@ void box_field(Report& report, Size size)
                  vs, m.objects / vs, m.seconds});
       if (size == Size::smoke) break;
     }
-  table.notes = {"Four components. VS: guided sampling, 10^7 rays, a lower bound.",
+  table.notes = {"Four components. VS: guided sampling, 3 * 10^6 rays, a lower bound.",
                  std::to_string(model.scene.triangles.size()) + " triangles; hierarchy and bodies built in " +
                    std::to_string(model.build_seconds) + " s."};
 }

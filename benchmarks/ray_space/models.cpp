@@ -25,7 +25,7 @@ Measured measure(PreparedScene const& scene, ViewCell const& cell, Options const
 double sampled(Model const& model, ViewCell const& cell, Size size)
 {
   Sampling::Options options;
-  options.rays = size == Size::full ? 10'000'000 : 10'000;
+  options.rays = size == Size::full ? 3'000'000 : 10'000;
   return static_cast<double>(Sampling(options)(*model.rays, cell).visible.size());
 }
 

@@ -222,6 +222,11 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
                                      "pvs gen:city" + cell + "--method extended-projection --plane-distances=5,-1",
                                      "pvs gen:city" + cell + "--method occlusion-sweep --arithmetic rational",
                                      "pvs gen:city" + cell + "--method occlusion-sweep --kernel 1",
+                                     "pvs gen:city" + cell + "--method ray-space --resolution 4",
+                                     "pvs gen:city" + cell + "--method ray-space --components 0",
+                                     "pvs gen:city" + cell + "--method ray-space --umbra most",
+                                     "pvs gen:city" + cell + "--method ray-space --bounds loose",
+                                     "pvs gen:city" + cell + "--method ray-space --arithmetic rational",
                                      "pvs gen:city" + cell + "--cells " + empty,
                                      "pvs gen:city,n=10" + cell + "-o " + (folder / "no/such/folder/pvs.json"),
                                      "pvs " + (folder / "missing.obj") + cell + "-o " + (folder / "out.json"),
@@ -242,6 +247,24 @@ TEST_CASE("command line: bad input is one line, exit code 2 and no file", "[comm
     REQUIRE(is_one_line(run.err));
     REQUIRE(run.out.empty());
     REQUIRE(folder.files() == before);
+  }
+}
+
+TEST_CASE("command line: ray-space, its options in the result", "[commands]")
+{
+  Folder const folder;
+  auto const exact = folder / "exact.json", set = folder / "set.json";
+  std::string const common = "pvs gen:city,n=400 --cell=-250,-250,0,-240,-240,10 --method ";
+  REQUIRE(visibility_command(folder, common + "exact-2.5d -o " + exact).exit_code == 0);
+  for (std::string const options : {"", " --umbra half --resolution 256", " --components 4 --bounds linear"}) {
+    auto const run = visibility_command(folder, common + "ray-space" + options + " -o " + set);
+    CAPTURE(options, run.err);
+    REQUIRE(run.exit_code == 0);
+    auto const result = read_results(set).front();
+    REQUIRE(result.guarantee == Guarantee::conservative);
+    REQUIRE(std::ranges::includes(result.visible, read_results(exact).front().visible));
+    REQUIRE(result.options.contains("resolution"));
+    REQUIRE(visibility_command(folder, "check gen:city,n=400 " + set + " --rays 100000").exit_code == 0);
   }
 }
 

@@ -9,6 +9,8 @@
 #include "visibility/scene/generators.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 using namespace visibility;
 using namespace visibility::test;
@@ -122,6 +124,126 @@ TEST_CASE("ray-space: every sight line to what is called hidden is blocked", "[m
   }
   CAPTURE(hidden, pixels);
   CHECK(hidden > trials(30));
+}
+
+namespace {
+
+/// Points whose hull is the slice of the hull of points by the line (s, t): exact.
+std::vector<std::pair<RationalNumber, RationalNumber>> slice(Frame const& frame, Box const& cell, int family,
+                                                             std::vector<Point3d> const& points,
+                                                             RationalNumber const& s, RationalNumber const& t)
+{
+  // The frame's middle is a double, and what it subtracts from is exact.
+  Point3d const middle{0.5 * cell.min.x + 0.5 * cell.max.x, 0.5 * cell.min.y + 0.5 * cell.max.y, cell.min.z};
+  REQUIRE(frame.local({middle.x, middle.y, middle.z}).u == 0);
+  struct Exact {
+    RationalNumber u, z, side;
+  };
+  std::vector<Exact> local;
+  for (auto const& p : points) {
+    RationalNumber const x = RationalNumber(p.x) - RationalNumber(middle.x);
+    RationalNumber const y = RationalNumber(p.y) - RationalNumber(middle.y);
+    RationalNumber const forward = family < 2 ? x : y, v = family < 2 ? y : x;
+    RationalNumber const u = family % 2 == 0 ? forward : RationalNumber(-forward);
+    local.push_back({u, RationalNumber(p.z) - RationalNumber(middle.z), s + t * u - v});
+  }
+  std::vector<std::pair<RationalNumber, RationalNumber>> out;
+  for (auto const& a : local)
+    for (auto const& b : local) {
+      if (!(a.side <= 0 && b.side >= 0) || a.side == b.side) continue;
+      RationalNumber const part = a.side / (a.side - b.side);
+      out.emplace_back(a.u + part * (b.u - a.u), a.z + part * (b.z - a.z));
+    }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any of its lines", "[methods][oracle]")
+{
+  std::size_t gates = 0;
+  for (int trial = 0; trial < trials(60); ++trial) {
+    CAPTURE(trial);
+    Random random(static_cast<std::uint64_t>(trial));
+    double const far = random.chance(0.3) ? 1e6 : 0;
+    Box const cell{{far - random.uniform(0.5, 3), -2, 0}, {far + random.uniform(0.5, 3), 1, random.uniform(0.5, 3)}};
+    std::vector<Point3d> points;
+    for (int i = random.between(3, 8); i > 0; --i)
+      points.push_back({far + random.uniform(4, 12), random.uniform(-8, 8), random.uniform(-4, 9)});
+    Box bounds;
+    for (auto const& p : points) bounds.extend(p);
+    Chords chords;
+    if (points.size() == 3)
+      chords_of(Triangle{{points[0], points[1], points[2]}}, chords);
+    else
+      chords_of(ConvexPolyhedron::hull(points), chords);
+    Options options;
+    options.bounds = random.chance(0.5) ? Bounds::exact : Bounds::linear;
+    OccluderWriter writer(-1e9, options);
+    for (int family : {0, 2}) {
+      Frame const frame(cell, family, 24, 12);
+      OcclusionMap map(frame, 1);
+      writer.write(chords, bounds, frame, map);
+      for (int row = 0; row < frame.rows(); ++row)
+        for (int column = 0; column < frame.columns(); ++column) {
+          Gate const g = map.gate(row, column, 0);
+          auto const* const k = frame.cell_slice(row, column);
+          if (std::isinf(g.beyond) || k == nullptr || !random.chance(0.3)) continue;
+          ++gates;
+          // A corner of the pixel, or a line inside it.
+          double const a = random.chance(0.5) ? random.below(2) : random.unit(), b = random.below(2);
+          RationalNumber const s = RationalNumber(frame.s(column)) * (1 - RationalNumber(a)) +
+                                   RationalNumber(frame.s(column + 1)) * RationalNumber(a);
+          RationalNumber const t = RationalNumber(frame.t(row + static_cast<int>(b)));
+          RationalNumber const in(k->u_in), out(k->u_out), height(k->height);
+          auto const points_of_slice = slice(frame, cell, family, points, s, t);
+          REQUIRE(!points_of_slice.empty());
+          bool top = false, bottom = false, top_separating = false, bottom_separating = false, near = false;
+          for (auto const& [u, z] : points_of_slice) {
+            REQUIRE(u > out);
+            RationalNumber const rise = z - height;
+            RationalNumber const upper = rise / (u - (rise >= 0 ? in : out)), lower = z / (u - (z >= 0 ? out : in));
+            top |= upper >= RationalNumber(double(g.top.slope));
+            top_separating |= lower >= RationalNumber(double(g.top.separating));
+            bottom |= lower <= RationalNumber(double(g.bottom.slope));
+            bottom_separating |= upper <= RationalNumber(double(g.bottom.separating));
+            near |= u + RationalNumber(frame.half_length()) <= RationalNumber(double(g.beyond));
+          }
+          CHECK(top);
+          CHECK(bottom);
+          CHECK(top_separating);
+          CHECK(bottom_separating);
+          CHECK(near);
+        }
+    }
+  }
+  CHECK(gates > static_cast<std::size_t>(trials(100)));
+}
+
+TEST_CASE("ray-space: guided rays find nothing that is missing from towns with inner bodies", "[methods][conservative]")
+{
+  std::size_t hidden = 0;
+  for (int trial = 0; trial < trials(3); ++trial) {
+    CAPTURE(trial);
+    Random random(static_cast<std::uint64_t>(trial));
+    char const* const kinds[] = {"urban,n=30,seed=", "urban,n=20,tilt=10,seed=", "district,copies=1,seed="};
+    Scene const scene = generate(kinds[trial % 3] + std::to_string(trial + 1));
+    PreparedScene const prepared(scene, InnerBodyOptions{});
+    Options options{.resolution = 1 << random.between(6, 9), .components = random.between(1, 3)};
+    options.bounds = random.chance(0.5) ? Bounds::exact : Bounds::linear;
+    ViewCell const cell(Box{{-5, -5, 0}, {5, random.uniform(0, 5), random.uniform(1, 3)}});
+    auto const set = RaySpace(options)(prepared, cell);
+    hidden += scene.objects.size() - set.visible.size();
+    CheckOptions hunt;
+    hunt.rays = 20'000;
+    hunt.threads = 1;
+    CHECK(check(prepared, cell, set.visible, set.guarantee, hunt).missing == std::vector<std::uint32_t>{});
+    auto const [objects, triangles] = RaySpace(options).triangles(prepared, cell);
+    CHECK(objects.visible == set.visible);
+    CHECK(triangles.size() < scene.triangles.size());
+    CHECK(std::ranges::is_sorted(triangles));
+  }
+  CHECK(hidden > 0);
 }
 
 TEST_CASE("ray-space: guided rays find nothing that is missing", "[methods][conservative]")

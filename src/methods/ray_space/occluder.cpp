@@ -130,14 +130,15 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
   double const margins = margin_[chord.i] + margin_[chord.j], scale = frame.half_length() + frame.height();
   double const t0 = frame.t(row), t1 = frame.t(row + 1);
   Crossing const first(p, q, margins, scale, t0), second(p, q, margins, scale, t1);
-  LinearCrossing const linear(frame, p, q, margins);
+  std::optional<LinearCrossing> linear;
+  if (options_.bounds == Bounds::linear) linear.emplace(frame, p, q, margins);
   auto const at = [&](int line, Crossing const& crossing, double t) {
-    return options_.bounds == Bounds::exact ? crossing(frame.s(line)) : linear(frame.s(line), t);
+    return linear ? (*linear)(frame.s(line), t) : crossing(frame.s(line));
   };
   std::array<SlicePoint, 4> corner;
   int last = -1;  // the pixel whose upper corners are known
   for (int c = from; c < to; ++c) {
-    if (open_[static_cast<std::size_t>(c)] == 0) continue;
+    if (open_[static_cast<std::size_t>(c)] == 0 || (chord.only_gaps && !is_gap(c))) continue;
     auto const* const k = frame.cell_slice(row, c);
     if (k == nullptr) continue;
     if (last == c - 1 && last >= 0)
@@ -193,13 +194,7 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
     for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
       int const from = above_[j], to = below_[i];
       if (from >= to) continue;
-      RowChord const row_chord{i, j, chord.top, chord.bottom, ground_[a] && ground_[b]};
-      if (!only_gaps) {
-        cross_row(frame, row, row_chord, from, to);
-        continue;
-      }
-      for (int c = from; c < to; ++c)
-        if (is_gap(c)) cross_row(frame, row, row_chord, c, c + 1);
+      cross_row(frame, row, {i, j, chord.top, chord.bottom, ground_[a] && ground_[b], only_gaps}, from, to);
     }
   }
 }

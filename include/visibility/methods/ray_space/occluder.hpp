@@ -29,6 +29,7 @@ private:
   struct RowChord {
     std::size_t i, j;  ///< all lines pass below point i and above point j of the plan
     bool top, bottom, ground;
+    bool only_gaps;  ///< serves only where no chord before it does
   };
 
   bool localize(Chords const& body, Frame const& frame);
