@@ -1,8 +1,9 @@
 #pragma once
 
+#include "method_arguments.hpp"
+
 #include "visibility/evidence/ray_scene.hpp"
 #include "visibility/methods/exact_25d/explanation.hpp"
-#include "visibility/methods/extended_projection/options.hpp"
 #include "visibility/scene/height_field.hpp"
 #include "visibility/scene/occludees.hpp"
 #include "visibility/scene/potentially_visible_set.hpp"
@@ -10,46 +11,13 @@
 #include "visibility/scene/view_cell.hpp"
 #include "visibility/viewspace/refine.hpp"
 
-#include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-namespace CLI {
-class App;
-}
-
 namespace visibility::commands {
-
-/// Which method is to run, with what arithmetic and options: the part of the command line that `pvs` has beside the
-/// scene and the cells.
-struct MethodArguments {
-  std::string method = "strong-occlusion";
-  std::string arithmetic = "filtered";
-  std::string granularity = "face";
-  std::string coarse_granularity = "part";
-  bool no_inner_bodies = false;
-  std::optional<int> resolution;  ///< of maps; the method's default
-  int components = 2;
-  std::string umbra = "full", bounds = "exact";
-  bool witnesses = false;
-  std::string occludees;                    ///< scene that is looked for; empty: the scene itself
-  std::string explain;                      ///< file for visible parts, funnels and shadow planes; empty: none
-  extended_projection::Options projection;  ///< of extended-projection and occlusion-sweep
-  std::vector<std::string> without;         ///< optimizations of strong occlusion that are switched off
-  std::uint64_t rays = 1'000'000;
-  double seconds = 0;
-  std::uint64_t seed = 1;
-
-  void add_to(CLI::App& command);
-  /// Throws BadInput for a method, arithmetic or option value that does not exist.
-  void validate() const;
-  /// The options that matter to the method, as text for the result file.
-  std::map<std::string, std::string> options() const;
-};
 
 /// The method of the command line, ready for any number of cells of one scene. May be called from several threads.
 class MethodRunner {
@@ -82,7 +50,6 @@ private:
   std::optional<Occludees> occludees_;
 };
 
-std::vector<std::string> method_names();
 /// The methods that take the scene as it is.
 std::vector<std::string> applicable_methods(Scene const& scene);
 
