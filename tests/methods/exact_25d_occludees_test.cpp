@@ -100,6 +100,28 @@ TEST_CASE("exact-2.5d: objects are seen alike as occluders and as occludees", "[
   CHECK(compared > trials(100));
 }
 
+TEST_CASE("exact-2.5d: objects are seen alike from a cell that is no upright prism", "[methods][law]")
+{
+  int compared = 0;
+  for (auto const kind : {HeightScene::general, HeightScene::slanted, HeightScene::streets})
+    for (int trial = 0; trial < trials(25); ++trial) {
+      CAPTURE(int(kind), trial);
+      Random random(static_cast<std::uint64_t>(99000 + 1000 * int(kind) + trial));
+      auto const c = height_case(random, kind, random.between(3, 14));
+      std::vector<Point3d> corners;
+      for (int i = random.between(5, 9); i > 0; --i)
+        corners.push_back({random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(0.5, 3)});
+      auto const cell = ViewCell::hull(corners);
+      Both const both(c.scene, c.scene);
+      auto const expected = Exact25d<Filtered>()(both.field, cell);
+      if (expected.guarantee != Guarantee::exact) continue;
+      ++compared;
+      CHECK(visible(both, cell) == expected.visible);
+      CHECK(visible<Rational>(both, cell) == expected.visible);
+    }
+  CHECK(compared > trials(20));
+}
+
 TEST_CASE("exact-2.5d: the visible occludees are those of the brute-force oracle", "[methods][oracle]")
 {
   int undecided = 0, seen = 0, hidden = 0;
