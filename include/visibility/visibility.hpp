@@ -159,6 +159,7 @@
 #include "visibility/methods/strong_occlusion/verdict.hpp"
 
 #include "visibility/evidence/check.hpp"
+#include "visibility/evidence/check_occludees.hpp"
 #include "visibility/evidence/compare.hpp"
 #include "visibility/evidence/face.hpp"
 #include "visibility/evidence/ray_scene.hpp"

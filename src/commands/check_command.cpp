@@ -4,6 +4,7 @@
 #include "scene_argument.hpp"
 
 #include "visibility/evidence/check.hpp"
+#include "visibility/evidence/check_occludees.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/result_file.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -13,6 +14,7 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 namespace visibility::commands {
 
@@ -61,24 +63,29 @@ void run(Arguments const& a, int& exit_code)
   auto const results = read_results(a.results);
   if (!a.scene.grounded && std::ranges::any_of(results, &Result::grounded))
     throw BadInput(a.results + ": the set is of the grounded scene: add --grounded");
-  if (auto const r = std::ranges::find_if(results, [](Result const& x) { return !x.occludees.empty(); });
-      r != results.end())
-    throw BadInput(a.results + ": the set is of occludees (" + r->occludees +
-                   "), which hide nothing; rays cannot be shot at what is no part of the scene");
+  std::string const apart = results.empty() ? "" : results.front().occludees;
+  if (std::ranges::any_of(results, [&](Result const& r) { return r.occludees != apart; }))
+    throw BadInput(a.results + ": results for different occludees; give them one by one");
   Scene const scene = a.scene.load();
   PreparedScene const prepared(scene);
   RayScene const rays(prepared);
+  std::optional<Scene> other;
+  std::optional<PreparedScene> targets;
+  std::optional<Occludees> occludees;
+  if (!apart.empty()) occludees.emplace(targets.emplace(other.emplace(a.scene.load_another(apart))));
+  Scene const& looked_for = other ? *other : scene;
   for (auto const& r : results) {
-    auto const members = objects_of(r, scene);
-    std::cout << "set     " << members.size() << " of " << scene.objects.size() << " objects, "
+    auto const members = objects_of(r, looked_for);
+    std::cout << "set     " << members.size() << " of " << looked_for.objects.size() << " objects, "
               << (r.method.empty() ? "unnamed method" : r.method) << ", " << to_string(r.guarantee) << '\n';
     auto const report = [&] {
       Progress progress("rays", a.options.rays);
       CheckOptions options = a.options;
       options.progress = [&](std::uint64_t n) { progress.advance(n); };
-      return check(rays, cell_of(r), members, r.guarantee, options);
+      return occludees ? check(rays, *occludees, cell_of(r), members, r.guarantee, options)
+                       : check(rays, cell_of(r), members, r.guarantee, options);
     }();
-    print_report(scene, report, a.all ? SIZE_MAX : 10);
+    print_report(looked_for, report, a.all ? SIZE_MAX : 10);
     if (report.fault) {
       exit_code = 1;
       std::cout << "FAULT: a " << to_string(r.guarantee) << " set lacks visible objects\n";

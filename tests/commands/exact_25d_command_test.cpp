@@ -67,7 +67,14 @@ TEST_CASE("command line: exact-2.5d looks for the objects of another scene, whic
     CAPTURE(arguments, bad.err);
     return bad.exit_code == 2 && is_one_line(bad.err);
   };
-  REQUIRE(refused("check " + wall + " " + out));  // rays know one scene
+  REQUIRE(visibility_command(folder, "check " + wall + " " + out + " --rays 20000").exit_code == 0);
+  // A set that lacks what can be seen is found out.
+  auto lacking = result;
+  lacking.visible = {"near"};
+  auto const false_set = folder.write("false.json", to_json({lacking}));
+  auto const found = visibility_command(folder, "check " + wall + " " + false_set + " --rays 20000");
+  REQUIRE(found.exit_code == 1);
+  REQUIRE(found.out.find("over: seen from") != std::string::npos);
   REQUIRE(refused(pvs + "strong-occlusion --occludees " + targets));
   REQUIRE(refused(pvs + "exact-2.5d --occludees gen:spheres,n=3"));
   REQUIRE(refused(pvs + "exact-2.5d --occludees " + (folder / "nothing.obj")));
