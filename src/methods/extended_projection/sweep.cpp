@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 namespace visibility {
 
@@ -114,11 +113,7 @@ private:
       double const low = std::min(all.min.y, views.bounds.min.y), high = std::max(all.max.y, views.bounds.max.y);
       r = common(r, {{-HUGE_VAL, low - 0.03 * (high - low)}, {HUGE_VAL, high + 0.03 * (high - low)}});
     }
-    try {
-      return Grid::covering(r.low, r.high, options_.resolution, options_.resolution);
-    } catch (std::invalid_argument const&) {
-      return {};
-    }
+    return raster_over(r, options_.resolution);
   }
 
   /// Those with a part between the plane before and this one; of them all that is before this one.
