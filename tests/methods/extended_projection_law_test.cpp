@@ -23,6 +23,7 @@ Options any_options(Random& random, double scale)
   Options o;
   o.resolution = 16 << random.below(6);
   if (random.chance(0.1)) o.resolution = random.between(1, 40);
+  if (random.chance(0.02)) o.resolution = 1024 << random.below(2);
   o.extent = random.chance(0.5) ? 1.5 : random.uniform(0.1, 4);
   o.planes = random.between(1, 5);
   o.kernel = random.uniform(1.5, 9);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace visibility::extended_projection {
 
@@ -26,6 +27,23 @@ std::pair<double, double> common_interval(std::vector<Point2d> const& profile, d
 }
 
 }  // namespace
+
+std::optional<Grid> raster_over(Rectangle const& r, int resolution)
+{
+  constexpr double much = 4;
+  double const width = r.high.x - r.low.x, height = r.high.y - r.low.y;
+  int columns = resolution, rows = resolution;
+  if (resolution > 1 && 2 * resolution <= Grid::max_size && (width > much * height || height > much * width)) {
+    columns = 2 * resolution;
+    rows = resolution / 2;
+    if (height > width) std::swap(columns, rows);
+  }
+  try {
+    return Grid::covering(r.low, r.high, columns, rows);
+  } catch (std::invalid_argument const&) {
+    return {};
+  }
+}
 
 Rectangle common_view(CellViews const& cell, Box const& box, double plane)
 {
@@ -89,11 +107,7 @@ std::optional<Grid> choose_grid(CellViews const& cell, std::span<Box const> occl
   if (!(filled.area() > 0)) return {};
   // What stands on the ground is projected down to below it.
   if (lowest_v > -inf) filled.low.y = all.low.y;
-  try {
-    return Grid::covering(filled.low, filled.high, options.resolution, options.resolution);
-  } catch (std::invalid_argument const&) {
-    return {};
-  }
+  return raster_over(filled, options.resolution);
 }
 
 }  // namespace visibility::extended_projection

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <stdexcept>
 
 namespace visibility {
 
@@ -16,6 +15,10 @@ namespace {
 using namespace extended_projection;
 
 constexpr int default_planes = 15;
+
+/// Of the distances of a plane and the next, unless their number would not reach the end of the scene. The formula of
+/// the paper knows no bound, and sends the second plane out of the scene if the cell is small against its distance.
+constexpr double widest_ratio = 1.4;
 
 /// How many occluders are added to a map before its pyramid is brought up to date.
 constexpr std::size_t refresh_after = 64;
@@ -76,8 +79,8 @@ public:
 
 private:
   /// Where the planes stand: from just behind the first important occluder on, so far apart that the image of the cell
-  /// is as many pixels as the kernel, by the formula of [Durand00, 5.2]; farther if their number would not reach the
-  /// end of the scene.
+  /// is as many pixels as the kernel, by the formula of [Durand00, 5.2], but not farther than widest_ratio; farther if
+  /// their number would not reach the end of the scene.
   std::vector<double> planes(CellViews const& views) const
   {
     std::vector<double> out;
@@ -95,12 +98,13 @@ private:
     }
     if (!(first < last)) return out;
     int const count = options_.planes > 0 ? options_.planes : default_planes;
+    first = std::max(first, size);
     double const least_ratio = std::pow(last / first, 1.0 / count);
     for (double d = first; static_cast<int>(out.size()) < count && d < last;) {
       out.push_back(views.near + d);
       double const plane_size = size + 2 * options_.extent * d;
       double const step = d * (options_.kernel - 1) * plane_size / (size * options_.resolution);
-      d = std::max(d + step, d * least_ratio);
+      d = std::max(std::min(d + step, widest_ratio * d), d * least_ratio);
     }
     return out;
   }
@@ -114,11 +118,7 @@ private:
       double const low = std::min(all.min.y, views.bounds.min.y), high = std::max(all.max.y, views.bounds.max.y);
       r = common(r, {{-HUGE_VAL, low - 0.03 * (high - low)}, {HUGE_VAL, high + 0.03 * (high - low)}});
     }
-    try {
-      return Grid::covering(r.low, r.high, options_.resolution, options_.resolution);
-    } catch (std::invalid_argument const&) {
-      return {};
-    }
+    return raster_over(r, options_.resolution);
   }
 
   /// Those with a part between the plane before and this one; of them all that is before this one.

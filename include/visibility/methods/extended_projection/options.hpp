@@ -10,7 +10,7 @@ namespace visibility::extended_projection {
 
 /// All of these are choices: the set is conservative whatever they are.
 struct Options {
-  int resolution = 256;          ///< depth maps have resolution x resolution pixels; 1 to Grid::max_size
+  int resolution = 256;          ///< depth maps have as many pixels as its square; 1 to Grid::max_size
   double extent = 1.5;           ///< a plane at distance d reaches extent * d beyond the cell's sides [Durand00, 6.1]
   int planes = 0;                ///< in each of the six directions, at most; 0: 8, or 15 for a sweep
   std::size_t occluders = 1000;  ///< convex bodies of the largest solid angle that are projected for a cell

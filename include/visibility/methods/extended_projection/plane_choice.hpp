@@ -21,6 +21,11 @@ inline Rectangle common(Rectangle const& a, Rectangle const& b)
           {std::fmin(a.high.x, b.high.x), std::fmin(a.high.y, b.high.y)}};
 }
 
+/// A raster of resolution x resolution pixels over the rectangle; of twice as many columns and half as many rows, or
+/// the other way round, if it is much wider than high, or higher than wide. Empty if the rectangle has no area or is
+/// too narrow for its coordinates.
+std::optional<Grid> raster_over(Rectangle const& rectangle, int resolution);
+
 /// What all views of a box have in common, about: rounded, and with bounding rectangles for views. For choices only.
 Rectangle common_view(CellViews const& cell, Box const& box, double plane);
 
