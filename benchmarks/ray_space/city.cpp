@@ -72,7 +72,7 @@ void bounds(Report& report, Size size)
 {
   auto& table =
     report.table("Exact and linear bounds, and granularity", {"scene", "bounds", "granularity", "objects", "s"});
-  for (auto const* spec : {"urban,n=20000", "box-field,n=50000,density=0.5"}) {
+  for (auto const* spec : {"urban,n=5000", "box-field,n=10000,density=0.5"}) {
     Model const model(size == Size::full ? spec : "urban,n=100", false);
     ViewCell const cell = cell_at(0, 0, 20, 2.5);
     for (auto const b : {visibility::ray_space::Bounds::exact, visibility::ray_space::Bounds::linear})
