@@ -127,6 +127,7 @@
 #include "visibility/methods/extended_projection/sweep.hpp"
 #include "visibility/methods/ray_space/chords.hpp"
 #include "visibility/methods/ray_space/counts.hpp"
+#include "visibility/methods/ray_space/crossing.hpp"
 #include "visibility/methods/ray_space/footprint.hpp"
 #include "visibility/methods/ray_space/frame.hpp"
 #include "visibility/methods/ray_space/method.hpp"
