@@ -50,7 +50,7 @@ TEMPLATE_TEST_CASE("extended projections: nothing of the exact set is missing", 
 {
   std::size_t exact_hidden = 0, hidden = 0;
   for (auto const kind : height_scenes)
-    for (int trial = 0; trial < trials(20); ++trial) {
+    for (int trial = 0; trial < trials(15); ++trial) {
       CAPTURE(int(kind), trial);
       Random random(static_cast<std::uint64_t>(7000 * int(kind) + trial));
       auto const c = height_case(random, kind, random.between(3, 14));
@@ -77,7 +77,7 @@ TEMPLATE_TEST_CASE("extended projections: nothing of the exact set is missing", 
 TEMPLATE_TEST_CASE("extended projections: the hunt finds nothing missing in random solid scenes",
                    "[methods][conservative]", ExtendedProjection, OcclusionSweep)
 {
-  for (int trial = 0; trial < trials(20); ++trial) {
+  for (int trial = 0; trial < trials(15); ++trial) {
     CAPTURE(trial);
     Random random(static_cast<std::uint64_t>(trial) + 31);
     Box const clear{{-1, -1, -1}, {1, 1, 1}};
