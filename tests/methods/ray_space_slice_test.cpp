@@ -5,6 +5,7 @@
 #include "visibility/methods/ray_space/vertical_slice.hpp"
 
 #include <array>
+#include <limits>
 #include <vector>
 
 using namespace visibility::ray_space;
@@ -153,6 +154,13 @@ TEST_CASE("ray-space slice: two gates are fused just if no line passes between t
   }
   CHECK(gaps > trials(1000));
   CHECK(closed > trials(1000));
+}
+
+TEST_CASE("ray-space slice: a bottom too steep for a float is not open", "[methods][degenerate]")
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  CHECK(reaches_ground({{0, 0, 0}, open_bottom, 1}));
+  CHECK(!reaches_ground({{0, 0, 0}, {infinity, 0, infinity}, 1}));
 }
 
 TEST_CASE("ray-space slice: three walls between which the published fusion sees no gap", "[methods][regression]")

@@ -50,7 +50,7 @@ void OcclusionMap::set(int row, int c, int k, Gate const& g)
   at(top_slope) = g.top.slope;
   at(top_base) = g.top.base;
   at(top_separating) = g.top.separating;
-  at(bottom_slope) = reaches_ground(g) && g.bottom.slope < 0 ? 0 : g.bottom.slope;  // no infinity times zero
+  at(bottom_slope) = reaches_ground(g) ? 0 : g.bottom.slope;  // no infinity times zero
   at(bottom_base) = g.bottom.base;
   at(bottom_separating) = g.bottom.separating;
 }

@@ -69,7 +69,8 @@ struct Gate {
 inline constexpr GateEnd open_bottom{-std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity(),
                                      -std::numeric_limits<float>::infinity()};
 
-inline bool reaches_ground(Gate const& g) { return std::isinf(g.bottom.slope); }
+/// A slope beyond all floats is no open bottom: it is +infinity, and blocks nothing.
+inline bool reaches_ground(Gate const& g) { return g.bottom.slope == open_bottom.slope; }
 
 /// Whether no line from the cell passes above the top of `lower` and below the bottom of `upper`: that bottom lies
 /// under both tangents of that top. Which of the two is nearer does not matter.
