@@ -16,6 +16,8 @@ namespace {
 using detail::Random;
 
 constexpr std::uint64_t batch = 1024;  // rays between looks at the clock
+/// A ray that gets so far, in shares of its way, is worth an exact test: it may end on an occluder's own face.
+constexpr double nearly_there = 1 - 0x1p-10;
 
 /// The pieces of one occludee that the set lacks.
 struct Wanted {
@@ -84,7 +86,7 @@ CheckReport check(RayScene const& occluders, Occludees const& occludees, ViewCel
     Point3q const to = inside(occludees.corners(piece), random);
     Point3d const near = detail::rounded(to), from = points.any(random);
     Point3d const way{near.x - from.x, near.y - from.y, near.z - from.z};
-    if (way == Point3d{0, 0, 0} || occluders.first_hit(from, way).distance < 1 - 0x1p-10) continue;
+    if (way == Point3d{0, 0, 0} || occluders.first_hit(from, way).distance < nearly_there) continue;
     Point3q const eye = exact(from);
     if (!in_interior(cell, from) || blocker<FilteredRational>(occluders.scene(), enclosed(eye), enclosed(to))) {
       ++report.rejected;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace visibility {
@@ -24,10 +25,7 @@ public:
       top_(top_plane(field, s_))
   {
     if (seam.is_crease()) {
-      Plane const rise = top_plane(field, f_) - top_;
-      NT const square = rise.a * rise.a + rise.b * rise.b;  // positive: the planes cross
-      p_ = {-rise.c * rise.a / square, -rise.c * rise.b / square};
-      q_ = {p_.x + rise.b, p_.y - rise.a};
+      std::tie(p_, q_) = crease_line(top_plane(field, f_) - top_);  // not level: the planes cross
     } else {
       p_ = horizontal(exact(left()));
       q_ = horizontal(exact(right()));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 namespace visibility::height_field {
 
@@ -11,8 +12,18 @@ namespace visibility::height_field {
 struct Plane {
   RationalNumber a, b, c;
   RationalNumber over(Point2q const& p) const { return a * p.x + b * p.y + c; }
+  bool is_level() const { return a == 0 && b == 0; }
 };
 inline Plane operator-(Plane const& p, Plane const& q) { return {p.a - q.a, p.b - q.b, p.c - q.c}; }
+
+/// Two points of the line in plan over which a plane has height 0; it is below 0 on the right of p -> q.
+/// Requires: not level.
+inline std::pair<Point2q, Point2q> crease_line(Plane const& rise)
+{
+  RationalNumber const square = rise.a * rise.a + rise.b * rise.b;
+  Point2q const p{-rise.c * rise.a / square, -rise.c * rise.b / square};
+  return {p, {p.x + rise.b, p.y - rise.a}};
+}
 
 /// The plane through a polygon that is flat, or else a triangle, and has area in plan.
 inline Plane plane_of(std::span<Point3d const> corners)

@@ -30,8 +30,8 @@ std::vector<ExposedLine> exposed_sides(HeightField const& occluders, Occludees c
 std::vector<ExposedLine> exposed_seams(HeightField const& occluders, Occludees const& occludees, std::uint32_t piece);
 
 /// Whether sight lines from right above or below see part of the piece inside the convex polygon, which is
-/// counterclockwise in plan: exposed with area, or, a wall, with length.
+/// counterclockwise in plan: exposed with area, or, a wall, with length. `sides`: its exposed_sides().
 bool is_exposed_inside(HeightField const& occluders, Occludees const& occludees, std::uint32_t piece,
-                       std::span<Point3d const> polygon);
+                       std::span<ExposedLine const> sides, std::span<Point3d const> polygon);
 
 }  // namespace visibility

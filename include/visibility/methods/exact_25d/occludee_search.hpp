@@ -66,7 +66,7 @@ bool Search<A>::look_at(std::uint32_t piece, std::vector<ExposedLine> const& lin
   auto const object = occludees.pieces()[piece].object;
   Box const& box = occludees.bounds(piece);
   if (!decided && is_over_cell(box) &&
-      (is_exposed_inside(field_, occludees, piece, cell_.corners) ||
+      (is_exposed_inside(field_, occludees, piece, lines, cell_.corners) ||
        std::ranges::any_of(lines, [&](ExposedLine const& l) { return is_flush(l.part); }))) {
     is_found_[object] = true;
     return false;
