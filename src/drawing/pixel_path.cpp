@@ -34,13 +34,15 @@ Points clipped(Points const& in, double Point2d::*axis, double sign, double limi
   return out;
 }
 
+/// In the frame or its rim.
+bool is_near(Point2d const& p, Rectangle const& f)
+{
+  return p.x >= f.x - rim && p.x <= f.x + f.width + rim && p.y >= f.y - rim && p.y <= f.y + f.height + rim;
+}
+
 Points clipped(Points p, Rectangle const& frame)
 {
-  auto const inside = [&](Point2d const& q) {
-    return q.x >= frame.x - rim && q.x <= frame.x + frame.width + rim && q.y >= frame.y - rim &&
-           q.y <= frame.y + frame.height + rim;
-  };
-  if (std::ranges::all_of(p, inside)) return p;
+  if (std::ranges::all_of(p, [&](Point2d const& q) { return is_near(q, frame); })) return p;
   p = clipped(p, &Point2d::x, 1, frame.x + frame.width + rim);
   p = clipped(p, &Point2d::x, -1, frame.x - rim);
   p = clipped(p, &Point2d::y, 1, frame.y + frame.height + rim);
@@ -64,13 +66,17 @@ Points in_pixels(Points const& in, PixelMap const& map)
   return out;
 }
 
+/// Counterclockwise as one sees it, like everything else, so that nothing cancels in one path.
+Path::Line rectangle(double x0, double y0, double x1, double y1) { return {{{x0, y0}, {x0, y1}, {x1, y1}, {x1, y0}}}; }
+
+/// Counterclockwise as one sees it.
 Points polygon_of(Path::Disc const& d)
 {
   Points out;
   constexpr int corners = 720;
   for (int i = 0; i < corners; ++i) {
     double const angle = 2 * std::numbers::pi * i / corners;
-    out.push_back({d.centre.x + d.radius * std::cos(angle), d.centre.y + d.radius * std::sin(angle)});
+    out.push_back({d.centre.x + d.radius * std::cos(angle), d.centre.y - d.radius * std::sin(angle)});
   }
   return out;
 }
@@ -113,7 +119,7 @@ Path pixel_path(PlanOutline const& outline, PixelMap const& map, Detail const& d
   if (Bounds const b = bounds_of(outline, map); b.size() < detail.least) {
     auto const [x, y] = b.middle();
     double const r = detail.least / 2;
-    return {{{{{x - r, y - r}, {x + r, y - r}, {x + r, y + r}, {x - r, y + r}}}}, {}};
+    return {{rectangle(x - r, y - r, x + r, y + r)}, {}};
   }
   Path path;
   for (auto const& ring : outline.rings) {
@@ -148,17 +154,15 @@ Path pixel_path(std::vector<Point2d> const& polygon, PixelMap const& map)
 void Crowd::add(PlanOutline const& outline)
 {
   Bounds const b = bounds_of(outline, map_);
+  if (b.size() < still_small && !is_near(b.middle(), map_.frame())) return;
   if (b.size() < 1) {
     auto const [x, y] = b.middle();
-    auto const& f = map_.frame();
-    if (x >= f.x - rim && x <= f.x + f.width + rim && y >= f.y - rim && y <= f.y + f.height + rim)
-      pixels_.emplace_back(static_cast<std::int32_t>(std::floor(y)), static_cast<std::int32_t>(std::floor(x)));
+    pixels_.emplace_back(static_cast<std::int32_t>(std::floor(y)), static_cast<std::int32_t>(std::floor(x)));
     return;
   }
   auto const tenths = [](double v) { return std::round(10 * v) / 10; };
   if (b.size() < still_small && outline.discs.empty()) {
-    double const x0 = tenths(b.x0), y0 = tenths(b.y0), x1 = tenths(b.x1), y1 = tenths(b.y1);
-    large_.lines.push_back({{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}});
+    large_.lines.push_back(rectangle(tenths(b.x0), tenths(b.y0), tenths(b.x1), tenths(b.y1)));
     return;
   }
   Path part = pixel_path(outline, map_, detail_);
@@ -179,8 +183,7 @@ Path Crowd::path() const
     auto const [row, first] = pixels[i];
     std::int32_t last = first;
     for (++i; i < pixels.size() && pixels[i] == std::pair{row, last + 1}; ++i) ++last;
-    double const x0 = first, x1 = last + 1, y0 = row, y1 = row + 1;
-    out.lines.push_back({{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}});
+    out.lines.push_back(rectangle(first, row, last + 1, row + 1));
   }
   return out;
 }

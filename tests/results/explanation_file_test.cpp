@@ -1,4 +1,5 @@
 #include "support/catch.hpp"
+#include "support/random.hpp"
 
 #include "visibility/methods/exact_25d/explanation_file.hpp"
 #include "visibility/methods/exact_25d/method.hpp"
@@ -75,4 +76,37 @@ TEST_CASE("explanation file: faults are named", "[results]")
   REQUIRE(fault(R"([{"object": "nobody", "left": [0,0,0], "right": [1,0,0], "parts": []}])").find("nobody") !=
           std::string::npos);
   REQUIRE(fault("{}").find("edges") != std::string::npos);
+}
+
+TEST_CASE("explanation file: damaged files are read or refused, never worse", "[results][fuzz]")
+{
+  Scene const scene = grounded(generate("slanted,n=12"));
+  HeightField const field(scene);
+  std::vector<ViewCell> const cells{ViewCell(Box{{-5, -5, 0}, {5, 5, 3}})};
+  std::string const whole = to_json(scene, cells, {Exact25d<>().explain(field, cells[0]).second});
+  int read = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    CAPTURE(seed);
+    test::Random random(seed);
+    std::string text = whole;
+    for (int k = random.between(1, 3); k > 0; --k) {
+      constexpr std::string_view bytes = "0-[]{},\"/e1.x";
+      auto const at = static_cast<std::size_t>(random.below(static_cast<int>(text.size())));
+      switch (random.below(3)) {
+      case 0: text[at] = bytes[static_cast<std::size_t>(random.below(static_cast<int>(bytes.size())))]; break;
+      case 1: text.erase(at, static_cast<std::size_t>(random.between(1, 5))); break;
+      default: text.insert(at, text.substr(static_cast<std::size_t>(random.below(static_cast<int>(at + 1))), 3));
+      }
+    }
+    try {
+      for (auto const& entry : explanations_from_json(text, "lines.json", scene))
+        for (auto const& e : entry.explanation.edges)
+          for (auto const& p : e.parts) REQUIRE(p.low.d >= 0);
+      ++read;
+    } catch (BadInput const& e) {
+      REQUIRE(std::string(e.what()).find('\n') == std::string::npos);
+      ++refused;
+    }
+  }
+  REQUIRE((read > 20 && refused > 20));
 }
