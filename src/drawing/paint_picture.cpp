@@ -13,7 +13,7 @@ namespace visibility::detail::drawing {
 
 namespace {
 
-/// Objects of one role up to this many are drawn one by one, with names; more as one path.
+/// Objects of one role up to this many are drawn one by one, with names; more as a few paths.
 constexpr std::size_t one_by_one = 2000;
 constexpr double sight_line_end_radius = 2;
 
@@ -36,7 +36,7 @@ void paint_objects(Canvas& canvas, PlanPicture const& picture, PixelMap const& m
     for (auto const& o : picture.objects)
       if (is_of_role(o)) crowd.add(o.outline);
     paint.stroke->width = background ? 0.2 : 0.4;
-    canvas.draw(crowd.path(), paint);
+    for (auto const& path : crowd.paths()) canvas.draw(path, paint);
   }
   canvas.end_group();
 }

@@ -13,6 +13,8 @@ constexpr double rim = 40;
 constexpr double largest_disc = 5000;
 /// Outlines of a crowd below this many pixels are drawn as rectangles.
 constexpr double still_small = 4;
+/// Lines and discs in a path of a crowd; one object may add more.
+constexpr std::size_t most_in_path = 1000;
 
 using Points = std::vector<Point2d>;
 
@@ -162,20 +164,28 @@ void Crowd::add(PlanOutline const& outline)
   }
   auto const tenths = [](double v) { return std::round(10 * v) / 10; };
   if (b.size() < still_small && outline.discs.empty()) {
-    large_.lines.push_back(rectangle(tenths(b.x0), tenths(b.y0), tenths(b.x1), tenths(b.y1)));
+    open_path().lines.push_back(rectangle(tenths(b.x0), tenths(b.y0), tenths(b.x1), tenths(b.y1)));
     return;
   }
   Path part = pixel_path(outline, map_, detail_);
+  Path& path = open_path();
   for (auto& line : part.lines) {
     for (auto& p : line.points) p = {tenths(p.x), tenths(p.y)};
-    large_.lines.push_back(std::move(line));
+    path.lines.push_back(std::move(line));
   }
-  std::ranges::move(part.discs, std::back_inserter(large_.discs));
+  std::ranges::move(part.discs, std::back_inserter(path.discs));
 }
 
-Path Crowd::path() const
+Path& Crowd::open_path()
 {
-  Path out = large_;
+  if (large_.empty() || large_.back().lines.size() + large_.back().discs.size() >= most_in_path) large_.emplace_back();
+  return large_.back();
+}
+
+std::vector<Path> Crowd::paths() const
+{
+  auto out = large_;
+  Path small;
   auto pixels = pixels_;
   std::ranges::sort(pixels);
   pixels.erase(std::unique(pixels.begin(), pixels.end()), pixels.end());
@@ -183,8 +193,9 @@ Path Crowd::path() const
     auto const [row, first] = pixels[i];
     std::int32_t last = first;
     for (++i; i < pixels.size() && pixels[i] == std::pair{row, last + 1}; ++i) ++last;
-    out.lines.push_back(rectangle(first, row, last + 1, row + 1));
+    small.lines.push_back(rectangle(first, row, last + 1, row + 1));
   }
+  if (!small.empty()) out.push_back(std::move(small));
   return out;
 }
 

@@ -36,18 +36,20 @@ Path pixel_path(PlanPicture::Segment const& segment, PixelMap const& map);
 /// Of a polygon.
 Path pixel_path(std::vector<Point2d> const& polygon, PixelMap const& map);
 
-/// Many outlines as one path, in tenths of a pixel. Those smaller than a pixel are replaced by the pixels they lie in,
-/// each once, other small ones by their bounds.
+/// Many outlines as a few paths, in tenths of a pixel; not as one, since what fills a path looks for all crossings in
+/// it. Those smaller than a pixel are replaced by the pixels they lie in, each once, other small ones by their bounds.
 class Crowd {
 public:
   Crowd(PixelMap const& map, Detail const& detail) : map_(map), detail_(detail) {}
   void add(PlanOutline const& outline);
-  Path path() const;
+  std::vector<Path> paths() const;
 
 private:
+  Path& open_path();  ///< with room
+
   PixelMap const& map_;
   Detail detail_;
-  Path large_;
+  std::vector<Path> large_;
   std::vector<std::pair<std::int32_t, std::int32_t>> pixels_;  // row, column
 };
 

@@ -53,9 +53,12 @@ TEST_CASE("pixel path: whatever the size, all parts of a crowd turn the same way
     if (i % 10 == 0) crowd.add({{}, {{{random.uniform(-20, 120), random.uniform(-20, 70)}, side}}});
   }
   REQUIRE((large > 100 && small > 100 && tiny > 100));
-  Path const path = crowd.path();
-  REQUIRE(path.lines.size() > 200);
-  for (auto const& line : path.lines) {
+  auto const paths = crowd.paths();
+  std::vector<Path::Line> lines;
+  for (auto const& path : paths) lines.insert(lines.end(), path.lines.begin(), path.lines.end());
+  REQUIRE(lines.size() > 200);
+  REQUIRE(paths.size() > 1);
+  for (auto const& line : lines) {
     CAPTURE(line.points.size());
     REQUIRE(area(line) <= 0);
     for (auto const& p : line.points) REQUIRE((p.x >= -33 && p.x <= 453 && p.y >= -23 && p.y <= 263));
@@ -68,9 +71,10 @@ TEST_CASE("pixel path: what is smaller than a pixel is drawn once per pixel", "[
   Crowd crowd(map, {0.3, 1});
   for (int i = 0; i < 100; ++i) crowd.add(square({10 + 0.01 * (i % 10), 10}, 0.001));
   crowd.add(square({10.3, 10}, 0.001));  // the next pixel of the row
-  Path const path = crowd.path();
-  REQUIRE(path.lines.size() == 1);
-  REQUIRE(area(path.lines[0]) == -2 * 2);
+  auto const paths = crowd.paths();
+  REQUIRE(paths.size() == 1);
+  REQUIRE(paths[0].lines.size() == 1);
+  REQUIRE(area(paths[0].lines[0]) == -2 * 2);
 }
 
 TEST_CASE("pixel path: lines are cut to the neighbourhood of the frame, and keep their direction", "[drawing]")

@@ -95,7 +95,7 @@ TEST_CASE("picture: what lies beyond the region is cut, and counted all the same
   REQUIRE(document.elements.front().attributes.at("width") == "1000");
 }
 
-TEST_CASE("picture: crowds become one path, small enough to look at", "[drawing]")
+TEST_CASE("picture: crowds become a few paths, small enough to look at", "[drawing]")
 {
   Scene const scene = generate("city,n=20000");
   PreparedScene const prepared(scene);
@@ -107,7 +107,7 @@ TEST_CASE("picture: crowds become one path, small enough to look at", "[drawing]
   REQUIRE(svg == to_svg(picture));
   auto const document = parse_xml(svg);
   REQUIRE(document.fault.empty());
-  REQUIRE(elements_in(document, "hidden", "path").size() == 1);
+  REQUIRE(elements_in(document, "hidden", "path").size() < 40);
   REQUIRE(elements_in(document, "visible", "path").size() == count(roles, PlanRole::visible));
   REQUIRE(svg.size() < 1'500'000);
 }

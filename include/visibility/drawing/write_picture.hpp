@@ -14,9 +14,9 @@ struct PictureStyle {
 };
 
 /// The picture with title, legend with counts and scale bar. The same picture gives the same bytes. Colours are those
-/// of Okabe and Ito, and differ in lightness or hatching too. In both formats crowds are drawn as one path, with what
-/// is smaller than a pixel merged. SVG: text stays text, each object of a small crowd has its name as a tooltip; needs
-/// no library.
+/// of Okabe and Ito, and differ in lightness or hatching too. In both formats crowds are drawn as a few paths, with
+/// what is smaller than a pixel merged. SVG: text stays text, each object of a small crowd has its name as a tooltip;
+/// needs no library.
 std::string to_svg(PlanPicture const& picture, PictureStyle const& style = {});
 /// PNG bytes, through cairo. Throws BadInput if the library was built without it, or if it fails.
 std::string to_png(PlanPicture const& picture, PictureStyle const& style = {});
