@@ -66,7 +66,8 @@ cairo_status_t append(void* text, unsigned char const* data, unsigned length)
 void require(cairo_status_t status)
 {
   if (status != CAIRO_STATUS_SUCCESS)
-    throw BadInput(std::string("the picture could not be painted: ") + cairo_status_to_string(status));
+    throw BadInput(std::string("the picture could not be painted: ") + cairo_status_to_string(status) +
+                   "; take a smaller size, or SVG");
 }
 
 }  // namespace
