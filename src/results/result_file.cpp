@@ -53,6 +53,7 @@ Json result_json(Result const& r)
            {"visible", r.visible},
            {"statistics", statistics},
            {"seconds", {{"read", r.seconds.read}, {"build", r.seconds.build}, {"query", r.seconds.query}}}};
+  if (r.seconds.processor > 0) out["seconds"]["processor"] = r.seconds.processor;
   if (r.grounded) out["scene"]["grounded"] = true;
   if (!r.occludees.empty()) out["scene"]["occludees"] = r.occludees;
   if (r.witnesses.empty()) return out;
@@ -138,7 +139,7 @@ Result result_from_json(Json const& value, std::string const& where)
       auto const& s = value["seconds"];
       return s.contains(key) && s[key].is_number() ? s[key].get<double>() : 0.0;
     };
-    r.seconds = {get("read"), get("build"), get("query")};
+    r.seconds = {get("read"), get("build"), get("query"), get("processor")};
   }
   if (value.contains("witnesses")) {
     if (!value["witnesses"].is_array()) throw BadInput(where + ": \"witnesses\" is not a list");
