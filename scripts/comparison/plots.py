@@ -5,19 +5,21 @@ from __future__ import annotations
 from statistics import median
 
 from matplotlib.figure import Figure
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 from . import table
 from .style import COLOURS, MARKERS, plt
 
 
 def plain_log(axis) -> None:
-    """Logarithmic ticks as plain numbers, with 2 and 5 between powers of ten where these are few."""
+    """Logarithmic ticks as plain numbers: round ones where the range is small, 1, 2 and 5 or powers of ten alone where it is not."""
     low, high = axis.get_view_interval()
-    decades = high / low
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 300 else (1,)))
+    if high / low < 5:
+        axis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
+    else:
+        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high / low < 300 else (1,)))
+    axis.set_minor_locator(NullLocator())
     axis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}" if v < 1e4 else f"{v:,.0f}"))
-    axis.set_minor_formatter(NullFormatter())
 
 
 def excess_label(rows: list[dict]) -> str:
@@ -37,8 +39,8 @@ def pareto(comparison: dict, scene_index: int) -> Figure | None:
     for name, colour in COLOURS.items():
         mine = [p for p in points if p.method.name == name]
         if mine:
-            axes.scatter([p.milliseconds for p in mine], [p.excess for p in mine], s=[70 if not p.method.sweep else 26 for p in mine],
-                         c=colour, marker=MARKERS[name], label=name, zorder=3, linewidths=0)
+            axes.scatter([p.milliseconds for p in mine], [p.excess for p in mine], c=colour,
+                         s=[26 if p.method.sweep else 70 for p in mine], marker=MARKERS[name], label=name, zorder=3, linewidths=0)
     front = table.pareto_front(points)
     axes.step([p.milliseconds for p in front], [p.excess for p in front], where="post", color="#999999", lw=1, zorder=2)
     right = axes.get_xlim()[1]
@@ -88,8 +90,8 @@ def growth(comparison: dict) -> Figure | None:
 
 def recall(comparison: dict) -> Figure | None:
     """Share of the exact set that guided rays find, against their time; where the exact method was done is marked."""
-    scenes = [i for i in table.compared_scenes(comparison)
-              if comparison["layout"]["scenes"][i]["height_field"] and any(_is_sampling(comparison, r, i) for r in table.finished(comparison))]
+    scenes = [i for i in table.compared_scenes(comparison) if comparison["layout"]["scenes"][i]["height_field"]
+              and any(_is_sampling(comparison, r, i) for r in table.finished(comparison))]
     if not scenes:
         return None
     columns = min(3, len(scenes))
@@ -104,7 +106,7 @@ def recall(comparison: dict) -> Figure | None:
                   if r["measures"][cell]["truth"] == "exact"]
             if at:
                 axes.plot(*zip(*at), color=COLOURS["sampling"], marker="o", ms=3.5, lw=1, alpha=0.8)
-        exact = [r for r in table.finished(comparison) if r["scene_index"] == i and table.method_of(comparison, r).label == "exact-2.5d"]
+        exact = [r for r in table.finished(comparison) if r["scene_index"] == i and r["method"] == "exact-2.5d"]
         for row in exact:
             times = [1e3 * m["query_seconds"] for m in row["measures"]]
             axes.axvspan(min(times), max(times), color="#000000", alpha=0.12, lw=0)
@@ -126,35 +128,37 @@ def _is_sampling(comparison: dict, row: dict, scene_index: int) -> bool:
 
 
 def option(comparison: dict, key: str, label: str) -> Figure | None:
-    """Overestimation and time against an option (resolution, components), mean of logarithms over the scenes with a truth and over
-    the others apart would mix measures, so only scenes with a truth count. A line per method."""
-    scenes = comparison["layout"]["scenes"]
-    curves: dict[str, dict[int, list[tuple[float, float]]]] = {}
+    """Overestimation and time against an option (resolution, components), a line per method: medians over the scenes that have a
+    truth (another measure must not be mixed in) and in which all values of the option finished (each point is of the same scenes).
+    """
+    values: dict[str, dict[int, dict[int, tuple[float, float]]]] = {}  # method, scene, value of the option
     for row in table.finished(comparison):
         method = table.method_of(comparison, row)
-        value = row["options"].get(key)
-        measured = [m for m in row["measures"] if m["overestimation"] is not None]
-        if value is None or method.sweep not in ("", key) or not measured or not scenes[row["scene_index"]]["height_field"]:
-            continue
-        if row["scene_index"] not in table.compared_scenes(comparison):
-            continue
-        curves.setdefault(method.name, {}).setdefault(int(value), []).append(
-            (median(m["overestimation"] for m in measured), table.query_ms(row)))
-    curves = {n: c for n, c in curves.items() if len(c) > 1}
-    if not curves:
-        return None
+        over = table.median_of(row, lambda m: m["overestimation"])
+        varied = row["scene_index"] in table.compared_scenes(comparison) and method.sweep in ("", key)
+        if varied and key in row["options"] and over is not None:
+            of_scene = values.setdefault(method.name, {}).setdefault(row["scene_index"], {})
+            of_scene[int(row["options"][key])] = (over, table.query_ms(row))
     figure, (left, right) = plt.subplots(1, 2, figsize=(8.2, 3.2))
-    for name, curve in curves.items():
-        at = sorted(curve)
+    ticks: set[int] = set()
+    for name, scenes in values.items():
+        at = sorted(set().union(*scenes.values()))
+        complete = [s for s in scenes.values() if len(s) == len(at)]
+        if len(at) < 2 or not complete:
+            continue
+        ticks |= set(at)
         for axes, k in ((left, 0), (right, 1)):
-            axes.plot(at, [median(v[k] for v in curve[x]) for x in at], color=COLOURS[name], marker=MARKERS[name], ms=5, lw=1.3,
+            axes.plot(at, [median(s[x][k] for s in complete) for x in at], color=COLOURS[name], marker=MARKERS[name], ms=5, lw=1.3,
                       label=name)
+    if not ticks:
+        plt.close(figure)
+        return None
     for axes, text in ((left, "overestimation |P| / |E|"), (right, "query, ms")):
         axes.set_xscale("log", base=2)
         axes.set_yscale("log")
-        axes.set_xticks(sorted({x for c in curves.values() for x in c}))
+        axes.set_xticks(sorted(ticks))
         axes.xaxis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}"))
-        axes.xaxis.set_minor_formatter(NullFormatter())
+        axes.xaxis.set_minor_locator(NullLocator())
         plain_log(axes.yaxis)
         axes.set_xlabel(label)
         axes.set_ylabel(text)

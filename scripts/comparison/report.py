@@ -39,7 +39,8 @@ def html_table(head: list[str], rows: list[list[object]]) -> str:
 def verdict(comparison: dict) -> str:
     faults = comparison["faults"]
     if faults:
-        return f'<div class="fault"><b>{len(faults)} faults</b><ul>' + "".join(f"<li>{html.escape(f)}</li>" for f in faults) + "</ul></div>"
+        items = "".join(f"<li>{html.escape(f)}</li>" for f in faults)
+        return f'<div class="fault"><b>{len(faults)} faults</b><ul>{items}</ul></div>'
     checked = [m for r in table.finished(comparison) for m in r["measures"] if m["guarantee"] in ("exact", "conservative")]
     exact = sum(m["truth"] == "exact" for m in checked)
     return (f'<p class="sound">No object falsely hidden in {len(checked):,} sets that call themselves exact or conservative: {exact:,} '
@@ -160,9 +161,9 @@ def render(comparison: dict) -> str:
         ("Guided rays against time", _figure(plots.recall(comparison),
          "A line per cell, growing budgets of rays. Black: time of exact-2.5d over the same cells, median and range.")),
         ("Resolution", _figure(plots.option(comparison, "resolution", "resolution, pixels along a side"),
-         "Medians over the scenes that have an exact set.")),
+         "Medians over the scenes that have an exact set and in which all values ran.")),
         ("Components of ray space", _figure(plots.option(comparison, "components", "umbrae kept in a pixel"),
-         "Medians over the scenes that have an exact set.")),
+         "Medians over the scenes that have an exact set and in which all values ran.")),
         ("Size of the cell", _figure(plots.cell_size(comparison))),
         ("Arithmetic", arithmetic(comparison)),
         ("Layers of the filtered arithmetic", layers(comparison)),
