@@ -12,12 +12,13 @@ from .style import COLOURS, MARKERS, plt
 
 
 def plain_log(axis) -> None:
-    """Logarithmic ticks as plain numbers: round ones where the range is small, 1, 2 and 5 or powers of ten alone where it is not."""
+    """Logarithmic ticks as plain numbers: the fewer, the larger the range."""
     low, high = axis.get_view_interval()
     if high / low < 5:
         axis.set_major_locator(MaxNLocator(nbins=6, steps=[1, 2, 2.5, 5, 10]))
     else:
-        axis.set_major_locator(LogLocator(subs=(1, 2, 5) if high / low < 300 else (1,)))
+        steps = (1, 1.5, 2, 3, 5, 7) if high / low < 20 else (1, 2, 5) if high / low < 300 else (1,)
+        axis.set_major_locator(LogLocator(subs=steps))
     axis.set_minor_locator(NullLocator())
     axis.set_major_formatter(FuncFormatter(lambda v, _: f"{v:g}" if v < 1e4 else f"{v:,.0f}"))
 
