@@ -7,7 +7,6 @@ import hashlib
 import os
 import platform
 import re
-import resource
 import subprocess
 from pathlib import Path
 
@@ -40,8 +39,7 @@ def _cache_value(program: Path, key: str) -> str:
 
 
 def describe(program: Path, source: Path) -> dict:
-    """`source`: the checkout. `program_digest` tells builds apart; `memory_floor_kib`: what peak memory cannot fall below,
-    because a child starts as a copy of this process."""
+    """`source`: the checkout. `program_digest` tells builds apart."""
     modified = _output("git", "-C", source, "status", "--porcelain", "--untracked-files=no")
     return {
         "date": datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%d %H:%M UTC"),
@@ -53,5 +51,4 @@ def describe(program: Path, source: Path) -> dict:
         "build_type": _cache_value(program, "CMAKE_BUILD_TYPE"),
         "commit": _output("git", "-C", source, "rev-parse", "--short", "HEAD") + (", modified" if modified else ""),
         "program_digest": hashlib.sha256(program.read_bytes()).hexdigest()[:16],
-        "memory_floor_kib": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss,
     }

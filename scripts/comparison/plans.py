@@ -176,7 +176,7 @@ def quick(scenes_folder: Path) -> Layout:
                          slanted(3000, "slanted")],
               "small": [town(300), slanted(100)]}
     return _layout("quick", scenes_folder, scenes, REAL[:2], variations((64, 128, 256, 512), (1, 4, 8)),
-                   (1000, 10_000, 100_000, 1_000_000), repeats=3, repeat_seconds=0.5, timeout=60)
+                   (1000, 10_000, 100_000, 1_000_000), repeats=3, repeat_seconds=0.5, timeout=120)
 
 
 def full(scenes_folder: Path) -> Layout:

@@ -206,15 +206,16 @@ def cell_size(comparison: dict) -> Figure | None:
 
 
 def memory(comparison: dict) -> Figure | None:
-    """Peak memory against the number of objects; methods as they come."""
+    """Peak memory against the number of objects; methods as they come, and sampling."""
+    if not table.finished(comparison):
+        return None
     figure, axes = plt.subplots(figsize=(6.4, 3.2))
     for name in COLOURS:
         at = [(r["objects"], r["peak_kib"] / 1024) for r in table.finished(comparison)
               if table.method_of(comparison, r).label == name or name == "sampling" == table.method_of(comparison, r).name]
         if at:
             axes.scatter(*zip(*at), color=COLOURS[name], marker=MARKERS[name], s=22, label=name, linewidths=0)
-    floor = comparison["machine"]["memory_floor_kib"] / 1024
-    axes.axhline(floor, color="#999999", lw=0.8, ls=":")
+    axes.axhline(max((r["floor_kib"] for r in table.finished(comparison)), default=0) / 1024, color="#999999", lw=0.8, ls=":")
     axes.set_xscale("log")
     axes.set_yscale("log")
     plain_log(axes.xaxis)

@@ -78,7 +78,7 @@ def summary(comparison: dict) -> str:
         rows.append([table.method_of(comparison, mine[0]).label, len(measured), 1e3 * median(m["query_seconds"] for m in measured),
                      1e3 * median(r["build_seconds"] for r in mine), median(over) if over and promises else None,
                      max(over) if over and promises else None, 100 * min(recalls) if recalls else None,
-                     sum(m["false_hidden"] for m in measured) if promises else None, max(r["peak_kib"] for r in mine) / 1024])
+                     sum(m["false_hidden"] for m in measured) if promises else None, table.peak_mib(max(mine, key=lambda r: r["peak_kib"]))])
     return html_table(["method, default options", "cells", "query, ms (median)", "build, ms (median)", "|P| / |E| (median)", "(worst)",
                        "least recall, %", "false hidden", "peak memory, MiB"], rows)
 
@@ -131,7 +131,7 @@ def scene_table(comparison: dict, scene_index: int) -> str:
         rows.append([row["method"], " / ".join(guarantees), table.query_ms(row), 1e3 * row["build_seconds"],
                      " ".join(str(m["size"]) for m in row["measures"]), table.median_of(row, table.excess),
                      sum(m["false_hidden"] for m in row["measures"]) if promises or guarantees == ["none"] else None,
-                     row["peak_kib"] / 1024])
+                     table.peak_mib(row)])
     finished = [r for r in table.finished(comparison) if r["scene_index"] == scene_index]
     truth = "|P| / |E|" if table.has_truth(finished) else "|P| / |seen|"
     return html_table(["", "guarantee", "query, ms", "build, ms", "set of each cell", truth, "false hidden", "peak, MiB"], rows)

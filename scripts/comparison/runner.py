@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import resource
 import signal
 import subprocess
 import tempfile
@@ -61,7 +62,9 @@ def run_once(arguments: list[str], timeout: float) -> tuple[str, int, str]:
 def run_row(program: Path, scenes_folder: Path, layout: Layout, scene: Scene, method: Method) -> dict:
     """State, peak memory, build time, and for each cell its set, its guarantee and the medians of the
     query's processor seconds, which other work on the machine does not lengthen, and of its wall seconds."""
-    row: dict = {"scene": scene.name, "method": method.label, "command": shown_command(scene, method)}
+    row: dict = {"scene": scene.name, "method": method.label, "command": shown_command(scene, method),
+                 # Linux counts what a child held before it became another program, a copy of this process: peaks are not below.
+                 "floor_kib": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss}
     runs: list[list[dict]] = []
     spent, peak = 0.0, 0
     with tempfile.TemporaryDirectory() as folder:

@@ -37,6 +37,12 @@ def query_ms(row: dict) -> float:
     return 1e3 * median(m["query_seconds"] for m in row["measures"])
 
 
+def peak_mib(row: dict) -> float | str:
+    """Peak memory of a row, or a bound where the measurement could not fall below it."""
+    mib = row["peak_kib"] / 1024
+    return f"≤ {mib:.3g}" if row["peak_kib"] <= row["floor_kib"] else mib
+
+
 def has_truth(rows: list[dict]) -> bool:
     """Whether there is an exact set for every cell of the rows of a scene."""
     return all(m["truth"] == "exact" for r in rows for m in r["measures"])

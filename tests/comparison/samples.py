@@ -29,7 +29,7 @@ def row(scene: int, method: int, visible: set[str], guarantee: str, seconds: flo
     cell = {"guarantee": guarantee, "visible": sorted(visible), "query_seconds": seconds * (1 + method), "wall_seconds": 2 * seconds,
             "statistics": {"signs_filter": 90, "signs_interval": 9, "signs_exact": 1}}
     return {"scene": layout().scenes[scene].name, "method": METHODS[method].label, "command": "visibility pvs <scene> & more",
-            "scene_index": scene, "method_index": method, "state": "finished", "peak_kib": 20000, "runs": 1, "objects": 10 + 30 * scene,
+            "scene_index": scene, "method_index": method, "state": "finished", "peak_kib": 20000, "floor_kib": 10000, "runs": 1, "objects": 10 + 30 * scene,
             "primitives": 10, "arithmetic": "filtered", "options": {"resolution": "64" if METHODS[method].sweep else "512"},
             "read_seconds": 0.1, "build_seconds": 0.2, "cells": [dict(cell), dict(cell)]}
 
@@ -46,5 +46,5 @@ def rows(scene: int, seconds: float = 0.01) -> list[dict]:
 def comparison(of_scenes: list[list[dict]] | None = None, plan: Layout | None = None) -> dict:
     measured = [m for r in (of_scenes or [rows(0), rows(1)]) for m in measures.measure_scene(r)]
     machine = {"date": "2000-01-01", "processor": "P", "cores": 1, "memory": "1 kB", "system": "S", "compiler": "C", "build_type": "Release",
-               "commit": "abc", "program_digest": "d", "memory_floor_kib": 10000}
+               "commit": "abc", "program_digest": "d"}
     return {"format": FORMAT, "layout": (plan or layout()).json(), "machine": machine, "rows": measured, "faults": measures.faults(measured)}
