@@ -85,6 +85,12 @@ def boxes(scene: str) -> dict[str, list[tuple[float, ...]]]:
     return {o["name"]: [tuple(o["boxes"][i:i + 6]) for i in range(0, len(o["boxes"]), 6)] for o in objects}
 
 
+def powers_of_two(axes: plt.Axes) -> None:
+    """The horizontal axis by powers of two, as plain numbers."""
+    axes.set_xscale("log", base=2)
+    axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
+
+
 def draw_plan(axes: plt.Axes, scene: dict[str, list[tuple[float, ...]]], cell: tuple[float, ...], colours: dict[str, str]) -> None:
     """The scene from above. `colours`: of objects by name; the others are drawn pale."""
     for name, parts in scene.items():
@@ -99,5 +105,5 @@ def draw_plan(axes: plt.Axes, scene: dict[str, list[tuple[float, ...]]], cell: t
     axes.set_ylabel("y, m")
 
 
-__all__ = ["OURS", "PAPER", "SECOND", "assert_same", "boxes", "draw_plan", "origin", "paper", "pd", "plt", "pvs", "saved", "table",
-           "visibility"]
+__all__ = ["OURS", "PAPER", "SECOND", "assert_same", "boxes", "draw_plan", "origin", "paper", "pd", "plt",
+           "powers_of_two", "pvs", "saved", "table", "visibility"]
