@@ -82,7 +82,7 @@ def _run(arguments: argparse.Namespace) -> int:
         print(note, file=sys.stderr)
     try:
         run_layout(store, layout, find_program(arguments.program), scenes_folder)
-    except Interrupted:
+    except (Interrupted, KeyboardInterrupt):
         raise UsageError(f"interrupted; the same command goes on where it stopped ({store.folder})") from None
     return write_report(store, summarize(store))
 

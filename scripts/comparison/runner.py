@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import os
 import resource
@@ -49,8 +50,9 @@ def run_once(arguments: list[str], timeout: float) -> tuple[str, int, str]:
                     os.kill(process.pid, signal.SIGKILL)
                 time.sleep(0.005)
         except KeyboardInterrupt:
-            process.kill()
-            os.wait4(process.pid, 0)
+            with contextlib.suppress(ProcessLookupError, ChildProcessError):  # it may be gone already
+                os.kill(process.pid, signal.SIGKILL)
+                os.wait4(process.pid, 0)
             raise Interrupted from None
         process.returncode = os.waitstatus_to_exitcode(status)  # reaped here, not by Popen
         errors.seek(0)

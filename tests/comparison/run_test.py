@@ -84,6 +84,22 @@ class Run(unittest.TestCase):
         self.assertEqual(self.calls(), rows + 3)
         self.assertEqual(self.bench("compare", self.folder / "run", self.folder / "run")[0], 0)
 
+    def test_an_interrupted_run_says_so_in_one_line_and_goes_on_where_it_stopped(self) -> None:
+        program = self.stand_in()
+        real, calls = command_line.run_row, []
+
+        def interrupted(*arguments: object) -> dict:
+            calls.append(1)
+            if len(calls) == 4:
+                raise KeyboardInterrupt
+            return real(*arguments)
+
+        with mock.patch.object(command_line, "run_row", interrupted):
+            code, errors = self.run_smoke(program)
+        self.assertEqual((code, errors.count("\n")), (2, 1), errors)
+        self.assertEqual(self.run_smoke(program)[0], 0)
+        self.assertEqual(self.calls(), len(samples.layout().rows))
+
     def test_rows_of_another_build_are_refused(self) -> None:
         self.run_smoke(self.stand_in())
         code, errors = self.run_smoke(self.stand_in(liar="ray-space"))
