@@ -5,15 +5,21 @@ from __future__ import annotations
 import re
 import unittest
 import xml.etree.ElementTree as xml
+from pathlib import Path
 
 from samples import comparison, row, rows
 
-from comparison import report
+from comparison import plans, report, style
 
 SOUND = report.render(comparison())
 
 
 class Report(unittest.TestCase):
+    def test_every_method_has_its_colour_and_marker(self) -> None:
+        names = {m.name for make in plans.MODES.values() for m in make(Path("/nonexistent")).methods}
+        self.assertEqual(names, set(style.COLOURS))
+        self.assertEqual(names, set(style.MARKERS))
+
     def test_is_well_formed_and_has_all_figures(self) -> None:
         page = xml.fromstring(SOUND.removeprefix("<!DOCTYPE html>"))
         # two scenes; growth, rays, resolution, size of the cell, memory
