@@ -170,3 +170,8 @@
 #include "visibility/viewspace/for_each_cell.hpp"
 #include "visibility/viewspace/partition.hpp"
 #include "visibility/viewspace/refine.hpp"
+
+#include "visibility/drawing/explained_picture.hpp"
+#include "visibility/drawing/plan_outline.hpp"
+#include "visibility/drawing/plan_picture.hpp"
+#include "visibility/drawing/write_picture.hpp"

@@ -162,14 +162,6 @@ ViewCell view_cell(Result const& r, std::string const& where)
   }
 }
 
-/// The elements of a list, or the value itself, each with its place in words.
-template <class Visit>
-void for_each_entry(Json const& value, std::string const& name, Visit&& visit)
-{
-  if (!value.is_array()) return visit(value, name);
-  for (std::size_t i = 0; i < value.size(); ++i) visit(value[i], name + ", entry " + std::to_string(i + 1));
-}
-
 }  // namespace
 
 ViewCell cell_of(Result const& result)
@@ -204,8 +196,9 @@ std::string to_json(std::vector<Result> const& results)
 std::vector<Result> results_from_json(std::string_view text, std::string const& name)
 {
   std::vector<Result> out;
-  for_each_entry(detail::parse_json(text, name), name,
-                 [&](Json const& value, std::string const& where) { out.push_back(result_from_json(value, where)); });
+  detail::for_each_entry(detail::parse_json(text, name), name, [&](Json const& value, std::string const& where) {
+    out.push_back(result_from_json(value, where));
+  });
   if (out.empty()) throw BadInput(name + ": no results");
   return out;
 }
@@ -218,7 +211,7 @@ std::vector<Result> read_results(std::filesystem::path const& file)
 std::vector<ViewCell> cells_from_json(std::string_view text, std::string const& name)
 {
   std::vector<ViewCell> out;
-  for_each_entry(detail::parse_json(text, name), name, [&](Json const& value, std::string const& where) {
+  detail::for_each_entry(detail::parse_json(text, name), name, [&](Json const& value, std::string const& where) {
     Result r;
     read_cell(value, r, where);
     out.push_back(view_cell(r, where));
