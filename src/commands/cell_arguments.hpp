@@ -28,4 +28,7 @@ struct CellArguments {
   std::optional<Partition> partition() const;
 };
 
+/// A point X,Y,Z. Throws BadInput naming the option.
+Point3d parse_point(std::string const& option, std::string const& text);
+
 }  // namespace visibility::commands
