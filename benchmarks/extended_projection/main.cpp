@@ -2,7 +2,7 @@
 //
 //   extended_projection_bench NAME... [--json FILE] [--smoke]
 //
-// NAME: resolution (figure 12), growth (figure 13), improved and city (section 7.1), forest (section 7.2), error, or
+// NAME: resolution (figure 12), growth (figure 13), improved, city and streets (section 7.1), forest (section 7.2), error, or
 // all. Scenes are generated, seed 1. One core; times are processor time. Tables go to standard output, JSON to FILE.
 
 #include "experiments.hpp"
@@ -16,6 +16,6 @@ int main(int argc, char** argv)
   std::vector<Experiment<experiments::Size>> const all{
     {"resolution", experiments::resolution}, {"growth", experiments::growth},
     {"improved", experiments::improved},     {"city", experiments::city},
-    {"forest", experiments::forest},         {"error", experiments::error}};
+    {"streets", experiments::streets}, {"forest", experiments::forest},         {"error", experiments::error}};
   return run_experiments("extended_projection", all, argc, argv);
 }
