@@ -47,8 +47,8 @@ void require_height_field(HeightField const& field)
 }
 
 /// Two sets of parts of a scene as one of the scene. `of_a`, `of_b`: positions of the parts' objects in it.
-PotentiallyVisibleSet merged(PotentiallyVisibleSet a, std::vector<std::uint32_t> const& of_a,
-                             PotentiallyVisibleSet b, std::vector<std::uint32_t> const& of_b)
+PotentiallyVisibleSet merged(PotentiallyVisibleSet a, std::vector<std::uint32_t> const& of_a, PotentiallyVisibleSet b,
+                             std::vector<std::uint32_t> const& of_b)
 {
   for (auto& o : a.visible) o = of_a[o];
   for (auto& w : a.witnesses) w.object = of_a[w.object];
@@ -118,8 +118,9 @@ PotentiallyVisibleSet MethodRunner::exact_25d(ViewCell const& cell) const
   exact_25d::Options options;
   options.witnesses = arguments_.witnesses;
   Exact25d<A> const method(options);
-  if (apart_) return merged(method(*height_field_, cell), apart_->still_objects,
-                            method(*height_field_, *occludees_, cell), apart_->moving_objects);
+  if (apart_)
+    return merged(method(*height_field_, cell), apart_->still_objects, method(*height_field_, *occludees_, cell),
+                  apart_->moving_objects);
   return occludees_ ? method(*height_field_, *occludees_, cell) : method(*height_field_, cell);
 }
 

@@ -34,10 +34,12 @@ ConvexBodies::ConvexBodies(Scene const& scene) : scene_(&scene)
     for (auto& piece : pieces.convex) {
       Box const bounds = visibility::bounding_box(piece);
       mesh_pieces_.push_back(std::move(piece));
-      add({id, static_cast<std::uint32_t>(scene.polyhedra.size() + mesh_pieces_.size() - 1), Kind::polyhedron, o.occludes},
+      add({id, static_cast<std::uint32_t>(scene.polyhedra.size() + mesh_pieces_.size() - 1), Kind::polyhedron,
+           o.occludes},
           bounds);
     }
-    for (auto const i : pieces.loose) add({id, i, Kind::triangle, o.occludes}, visibility::bounding_box(scene.triangle(i)));
+    for (auto const i : pieces.loose)
+      add({id, i, Kind::triangle, o.occludes}, visibility::bounding_box(scene.triangle(i)));
   }
   first_body_.push_back(static_cast<std::uint32_t>(bodies_.size()));
 }

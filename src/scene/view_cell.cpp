@@ -59,8 +59,7 @@ bool contains(ViewCell const& cell, Point3d const& p)
   auto const& shape = cell.shape();
   return contains(cell.bounds(), p) && std::ranges::none_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
            auto const& v = f.vertices;
-           return is_positive(
-             orient3d<Filtered>(shape.vertices[v[0]], shape.vertices[v[1]], shape.vertices[v[2]], p));
+           return is_positive(orient3d<Filtered>(shape.vertices[v[0]], shape.vertices[v[1]], shape.vertices[v[2]], p));
          });
 }
 

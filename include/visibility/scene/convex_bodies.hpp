@@ -21,7 +21,7 @@ public:
   enum class Kind : std::uint8_t { box, ball, prism, polyhedron, triangle };
   struct Body {
     std::uint32_t object;
-    std::uint32_t index;  ///< into the array of its kind: the scene's boxes, balls, triangles; own prisms, polyhedra, stand-ins
+    std::uint32_t index;  ///< into the array of its kind: the scene's boxes, balls, triangles, polyhedra; or our own
     Kind kind;
     bool occludes;  ///< false for bodies of objects that do not occlude, and for stand-ins
   };
