@@ -61,6 +61,7 @@ Result make_result(Arguments const& a, std::string const& source, Scene const& s
   r.source = source;
   if (!a.method.occludees.empty()) r.occludees = scene.source;
   r.grounded = a.scene.grounded;
+  r.moving = a.scene.moving;
   r.objects = scene.objects.size();
   r.primitives = scene.primitive_count();
   r.cell.assign(cell.vertices().begin(), cell.vertices().end());
@@ -162,6 +163,9 @@ Answers coarse_to_fine(MethodRunner const& method, Partition const& partition)
 void run(Arguments const& a)
 {
   a.method.validate();
+  if (!a.scene.moving.empty() && !(a.method.occludees.empty() && a.method.explain.empty()))
+    throw BadInput("--moving and " + std::string(a.method.explain.empty() ? "--occludees" : "--explain") +
+                   " do not go together: give one of them");
   auto const partition = a.cells.partition();
   auto cells = partition ? std::vector<ViewCell>{} : a.cells.load();
   auto start = std::chrono::steady_clock::now();

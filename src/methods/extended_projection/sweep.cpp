@@ -32,11 +32,15 @@ constexpr std::size_t most_parts = 64;
 /// One sweep after the other over one scene; what is hidden stays so.
 class Sweeps {
 public:
-  Sweeps(PreparedScene const& scene, ViewCell const& cell, Options const& options)
+  /// What is not `among` the objects of interest, if these are given, is taken as hidden.
+  Sweeps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
     : scene_(scene), cell_(cell), options_(options), projector_(scene, cell),
-      important_(select_occluders(scene, cell, most_important)), hidden_nodes_(scene.object_hierarchy().nodes().size()),
-      hidden_(scene.scene().objects.size())
+      important_(select_occluders(scene, cell, most_important, among)),
+      hidden_nodes_(scene.object_hierarchy().nodes().size()), hidden_(scene.scene().objects.size())
   {
+    if (among == nullptr) return;
+    for (std::uint32_t i = 0; i < hidden_nodes_.size(); ++i) hidden_nodes_[i] = !among->any_below(i);
+    for (std::uint32_t o = 0; o < hidden_.size(); ++o) hidden_[o] = !among->holds(o);
   }
 
   void run(Frame const& frame)
@@ -202,13 +206,26 @@ private:
   std::int64_t pixels_ = 0;
 };
 
+PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& cell, Options const& options,
+                                  ObjectSelection const* among)
+{
+  Sweeps sweeps(scene, cell, options, among);
+  for (auto const& frame : frames) sweeps.run(frame);
+  return sweeps.result();
+}
+
 }  // namespace
 
 PotentiallyVisibleSet OcclusionSweep::operator()(PreparedScene const& scene, ViewCell const& cell) const
 {
-  Sweeps sweeps(scene, cell, options_);
-  for (auto const& frame : frames) sweeps.run(frame);
-  return sweeps.result();
+  return visible_set(scene, cell, options_, nullptr);
+}
+
+PotentiallyVisibleSet OcclusionSweep::operator()(PreparedScene const& scene, ViewCell const& cell,
+                                                 std::span<std::uint32_t const> candidates) const
+{
+  ObjectSelection const among(scene.object_hierarchy(), candidates);
+  return visible_set(scene, cell, options_, &among);
 }
 
 }  // namespace visibility
