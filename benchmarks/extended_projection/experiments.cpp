@@ -82,6 +82,25 @@ void improved(Report& report, Size size)
   table.notes.emplace_back("The paper: 5 to 10 % smaller, with an improved Projection that hides visible objects.");
 }
 
+void reprojection(Report& report, Size size)
+{
+  bool const full = size == Size::full;
+  auto& table = report.table("Section 5.1: reprojection by windows and by convolution",
+                             {"scene", "resolution", "windows, visible", "ms", "convolution, visible", "ms "});
+  auto const add = [&](Model const& m, std::vector<ViewCell> const& cells, int resolution) {
+    Options o = with_resolution(resolution);
+    auto const windows = measure(m, cells, OcclusionSweep(o));
+    o.reprojection = visibility::extended_projection::Reprojection::convolution;
+    auto const convolution = measure(m, cells, OcclusionSweep(o));
+    table.add({m.name, double(resolution), windows.visible, 1e3 * windows.seconds, convolution.visible,
+               1e3 * convolution.seconds});
+  };
+  Model const town(district(full ? 4 : 1).substr(4), true);
+  for (int n = full ? 128 : 64; n <= (full ? 512 : 64); n *= 2) add(town, street_cells(full ? 28 : 2), n);
+  add(Model(full ? "forest,n=1000,leaf=0.6" : "forest,n=30,leaf=0.6", false), crown_cells(full ? 5 : 1, 0.1),
+      full ? 512 : 64);
+}
+
 void city(Report& report, Size size)
 {
   bool const full = size == Size::full;

@@ -2,8 +2,9 @@
 //
 //   extended_projection_bench NAME... [--json FILE] [--smoke]
 //
-// NAME: resolution (figure 12), growth (figure 13), improved and city (section 7.1), forest (section 7.2), error, or
-// all. Scenes are generated, seed 1. One core; times are processor time. Tables go to standard output, JSON to FILE.
+// NAME: resolution (figure 12), growth (figure 13), improved and city (section 7.1), reprojection (section 5.1),
+// forest (section 7.2), error, or all. Scenes are generated, seed 1. One core; times are processor time. Tables go to
+// standard output, JSON to FILE.
 
 #include "experiments.hpp"
 #include "run_experiments.hpp"
@@ -13,9 +14,12 @@ namespace experiments = visibility::bench::extended_projection;
 
 int main(int argc, char** argv)
 {
-  std::vector<Experiment<experiments::Size>> const all{
-    {"resolution", experiments::resolution}, {"growth", experiments::growth},
-    {"improved", experiments::improved},     {"city", experiments::city},
-    {"forest", experiments::forest},         {"error", experiments::error}};
+  std::vector<Experiment<experiments::Size>> const all{{"resolution", experiments::resolution},
+                                                       {"growth", experiments::growth},
+                                                       {"improved", experiments::improved},
+                                                       {"reprojection", experiments::reprojection},
+                                                       {"city", experiments::city},
+                                                       {"forest", experiments::forest},
+                                                       {"error", experiments::error}};
   return run_experiments("extended_projection", all, argc, argv);
 }

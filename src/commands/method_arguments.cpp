@@ -73,6 +73,9 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
                      "extended-projection: convex bodies of the largest solid angle to project (default 1000)");
   command.add_flag("!--no-more-occluders", o.more_occluders,
                    "extended-projection: do not add those of objects that are still visible");
+  command.add_flag_callback(
+    "--convolution", [&o] { o.reprojection = extended_projection::Reprojection::convolution; },
+    "occlusion-sweep: from plane to plane by one kernel for all pixels, as the paper does");
   command.add_flag("!--no-improved", o.improved, "extended-projection: without the improved Projection of occludees");
 }
 
@@ -81,9 +84,13 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
   std::string distances;
   for (double const d : o.distances) distances += (distances.empty() ? "" : ",") + std::to_string(d);
   std::map<std::string, std::string> out{
-    {"resolution", std::to_string(o.resolution)}, {"extent", std::to_string(o.extent)},
-    {"occluders", std::to_string(o.occluders)},   {"more-occluders", o.more_occluders ? "on" : "off"},
-    {"kernel", std::to_string(o.kernel)},         {"improved", o.improved ? "on" : "off"}};
+    {"resolution", std::to_string(o.resolution)},
+    {"extent", std::to_string(o.extent)},
+    {"occluders", std::to_string(o.occluders)},
+    {"more-occluders", o.more_occluders ? "on" : "off"},
+    {"kernel", std::to_string(o.kernel)},
+    {"improved", o.improved ? "on" : "off"},
+    {"reprojection", o.reprojection == extended_projection::Reprojection::windows ? "windows" : "convolution"}};
   if (distances.empty())
     out["planes"] = std::to_string(o.planes);
   else

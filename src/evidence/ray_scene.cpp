@@ -3,6 +3,7 @@
 #include "embree_api.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -73,11 +74,11 @@ struct RayScene::Parts {
 
   explicit Parts(PreparedScene const& s);
 
-  Point3d relative(Point3d const& p) const { return {p.x - centre.x, p.y - centre.y, p.z - centre.z}; }
+  /// Relative to the centre, in units of the scene's size: what single precision sees.
   Vertex vertex(Point3d const& p) const
   {
-    Point3d const r = relative(p);
-    return {static_cast<float>(r.x), static_cast<float>(r.y), static_cast<float>(r.z)};
+    return {static_cast<float>((p.x - centre.x) / unit), static_cast<float>((p.y - centre.y) / unit),
+            static_cast<float>((p.z - centre.z) / unit)};
   }
   void add_boxes();
   void add_balls();
@@ -88,6 +89,7 @@ struct RayScene::Parts {
   PreparedScene const& prepared;
   Scene const& scene;
   Point3d centre;
+  double unit = 1;  // a power of two near the scene's size: dividing by it is exact
   std::unique_ptr<RTCDeviceTy, Release> device;
   std::unique_ptr<RTCSceneTy, Release> tree;
   std::vector<FloatBox> float_boxes;
@@ -101,6 +103,9 @@ RayScene::Parts::Parts(PreparedScene const& s) : prepared(s), scene(s.scene())
   for (auto const& b : s.object_bounds()) bounds.extend(b);
   auto const half = [](double a, double b) { return 0.5 * a + 0.5 * b; };
   centre = {half(bounds.min.x, bounds.max.x), half(bounds.min.y, bounds.max.y), half(bounds.min.z, bounds.max.z)};
+  double const size =
+    std::max({bounds.max.x - centre.x, bounds.max.y - centre.y, bounds.max.z - centre.z, std::ldexp(1, -1000)});
+  unit = std::ldexp(1, std::ilogb(size));
   device.reset(rtcNewDevice(nullptr));
   if (!device) throw std::runtime_error("Embree: no device (error " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
   tree.reset(rtcNewScene(device.get()));
@@ -154,7 +159,7 @@ void RayScene::Parts::add_balls()
   for (std::size_t i = 0; i < scene.balls.size(); ++i) {
     Vertex const c = vertex(scene.balls[i].centre);
     float* const v = out + 4 * i;
-    v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = static_cast<float>(scene.balls[i].radius);
+    v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = static_cast<float>(scene.balls[i].radius / unit);
   }
   attach(g, balls);
 }
@@ -254,15 +259,16 @@ Point3d RayScene::snapped(Point3d const& p) const
 {
   Vertex const v = parts_->vertex(p);
   Point3d const& c = parts_->centre;
-  return {c.x + double(v.x), c.y + double(v.y), c.z + double(v.z)};
+  double const unit = parts_->unit;
+  return {c.x + unit * double(v.x), c.y + unit * double(v.y), c.z + unit * double(v.z)};
 }
 
 RayHit RayScene::first_hit(Point3d const& origin, Point3d const& direction) const
 {
   Vertex const o = parts_->vertex(origin);
-  double const scale = 1 / std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  double const length = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
   auto const component = [&](double d) {
-    auto const f = static_cast<float>(d * scale);
+    auto const f = static_cast<float>(d / length);
     return std::fabs(f) < 1e-18F ? std::copysign(1e-18F, f) : f;
   };
   RTCRayHit ray;
@@ -277,8 +283,8 @@ RayHit RayScene::first_hit(Point3d const& origin, Point3d const& direction) cons
 
   RayHit out;
   if (ray.hit.geomID == RTC_INVALID_GEOMETRY_ID) return out;
-  double const t = ray.ray.tfar;
-  out.distance = t * scale;
+  double const t = parts_->unit * ray.ray.tfar;
+  out.distance = t / length;
   out.point = {origin.x + t * ray.ray.dir_x, origin.y + t * ray.ray.dir_y, origin.z + t * ray.ray.dir_z};
   auto const leaving = [&] {
     return ray.hit.Ng_x * ray.ray.dir_x + ray.hit.Ng_y * ray.ray.dir_y + ray.hit.Ng_z * ray.ray.dir_z > 0;

@@ -36,6 +36,19 @@ TEST_CASE("occlusion sweep: reprojection takes over what is covered from all of 
   REQUIRE(!second.hides(Box{{-1, -1, 4}, {1, 1, 4.6}}));
 }
 
+namespace {
+
+/// Whether no pixel of a map is covered nearer than that of another on the same raster.
+bool knows_no_more(ProjectionMap const& a, ProjectionMap const& b)
+{
+  for (int y = 0; y < a.grid().height(); ++y)
+    for (int x = 0; x < a.grid().width(); ++x)
+      if (a.depths().at(x, y) < b.depths().at(x, y)) return false;
+  return true;
+}
+
+}  // namespace
+
 TEST_CASE("occlusion sweep: what a reprojected map hides is hidden", "[methods][conservative][law]")
 {
   int hidden = 0, hidden_improved = 0;
@@ -64,9 +77,12 @@ TEST_CASE("occlusion sweep: what a reprojected map hides is hidden", "[methods][
       if (k == 3) break;
       plane *= random.uniform(1.05, 1.6);
       int const next_size = 16 << random.below(5);
-      map = ProjectionMap(
-        map, plane,
-        Grid::covering({-20 * plane / 2, -20 * plane / 2}, {20 * plane / 2, 20 * plane / 2}, next_size, next_size));
+      Grid const next =
+        Grid::covering({-20 * plane / 2, -20 * plane / 2}, {20 * plane / 2, 20 * plane / 2}, next_size, next_size);
+      ProjectionMap convolved(map, plane, next, Reprojection::convolution);
+      map = ProjectionMap(map, plane, next);
+      REQUIRE(knows_no_more(convolved, map));
+      if (random.chance(0.3)) map = std::move(convolved);
     }
     map.refresh();
     for (int i = 0; i < 20; ++i) {

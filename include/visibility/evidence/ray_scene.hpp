@@ -18,7 +18,8 @@ struct RayHit {
 };
 
 /// All occluders of a scene for single-precision rays (Embree). Rays only propose sight lines: nothing is decided by
-/// them. Coordinates are taken relative to the scene's centre, so that far offsets keep their millimetres.
+/// them. Coordinates are taken relative to the scene's centre, in units of its size: far offsets keep their
+/// millimetres, and subnormal or huge scenes their shape.
 /// Boxes take 24 bytes and the tree's share each; objects that occlude nothing are not there.
 /// Rays may be cast in parallel.
 class RayScene {

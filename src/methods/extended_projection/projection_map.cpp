@@ -22,8 +22,10 @@ ProjectionMap::ProjectionMap(CellViews const& cell, double plane, Grid const& gr
 {
 }
 
-ProjectionMap::ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid)
-  : ProjectionMap(from.cell(), plane, from.plane(), grid, reproject(from, plane, grid))
+ProjectionMap::ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid, Reprojection how)
+  : ProjectionMap(from.cell(), plane, from.plane(), grid,
+                  how == Reprojection::windows ? reproject_by_windows(from, plane, grid)
+                                               : reproject_by_convolution(from, plane, grid))
 {
 }
 

@@ -2,6 +2,8 @@
 
 #include "view_range.hpp"
 
+#include "visibility/raster/convolution.hpp"
+
 #include <algorithm>
 
 namespace visibility::extended_projection {
@@ -14,18 +16,34 @@ struct Window {
   int first = 0, last = -1;
 };
 
-/// The windows of the `count` pixels along an axis of the plane `to`, in a raster of `from_count` pixels on `from`.
-std::vector<Window> windows(std::vector<Point2d> const& profile, double to, double to_origin, double to_step, int count,
-                            double from, double from_origin, double from_step, int from_count)
+/// Points of a cell in (u, w) or (v, w), the first coordinate of each at most `error` off.
+struct Profile {
+  std::vector<Point2d> points;
+  double error = 0;
+};
+
+/// A raster on a plane, along one axis.
+struct Axis {
+  double plane, origin, step;
+  int count;
+};
+
+Axis columns_of(Grid const& g, double plane) { return {plane, g.origin().x, g.step().x, g.width()}; }
+Axis rows_of(Grid const& g, double plane) { return {plane, g.origin().y, g.step().y, g.height()}; }
+
+/// The windows of the pixels of `to` in `from`, along an axis.
+std::vector<Window> windows(Profile const& cell, Axis const& from, Axis const& to)
 {
-  std::vector<Window> out(static_cast<std::size_t>(count));
-  for (int i = 0; i < count; ++i) {
+  std::vector<Window> out(static_cast<std::size_t>(to.count));
+  for (int i = 0; i < to.count; ++i) {
     // Lines of a raster are doubles (Grid), so these are they.
-    double const low = to_origin + i * to_step, high = to_origin + (i + 1) * to_step;
-    auto const r = view_range(profile, low, high, to, to, from);
-    double const a = in_pixels({r.low, r.error}, -1, from_origin, from_step),
-                 b = in_pixels({r.high, r.error}, 1, from_origin, from_step);
-    if (!(a >= pixel_margin && b <= from_count - pixel_margin)) continue;
+    double const low = to.origin + i * to.step, high = to.origin + (i + 1) * to.step;
+    auto const r = view_range(cell.points, low, high, to.plane, to.plane, from.plane);
+    // Between a point of the cell and one of the plane the former's error shrinks.
+    double const error = r.error + cell.error;
+    double const a = in_pixels({r.low, error}, -1, from.origin, from.step),
+                 b = in_pixels({r.high, error}, 1, from.origin, from.step);
+    if (!(a >= pixel_margin && b <= from.count - pixel_margin)) continue;
     out[static_cast<std::size_t>(i)] = {static_cast<int>(a - pixel_margin), static_cast<int>(b + pixel_margin)};
   }
   return out;
@@ -78,17 +96,66 @@ DepthMap<float> farthest_in_columns(DepthMap<float> const& from, std::vector<Win
   return out;
 }
 
+/// The flat cell at w = near that all lines from the cell to the raster pass, along an axis.
+Profile equivalent_cell(std::vector<Point2d> const& profile, double near, Axis const& to)
+{
+  double const low = to.origin, high = to.origin + to.count * to.step;
+  Range range;
+  double error = 0;
+  for (auto const& c : profile) {
+    if (c.y == near) {
+      range.add(c.x);
+      continue;
+    }
+    auto const r = view_range({c}, low, high, to.plane, to.plane, near);
+    range.add(r.low);
+    range.add(r.high);
+    error = std::max(error, r.error);
+  }
+  return {{{range.low, near}, {range.high, near}}, error};
+}
+
+/// The size of the largest window; 0 if all are empty.
+int largest(std::vector<Window> const& windows)
+{
+  int size = 0;
+  for (auto const& w : windows) size = std::max(size, w.last - w.first + 1);
+  return size;
+}
+
 }  // namespace
 
-DepthMap<float> reproject(ProjectionMap const& from, double plane, Grid const& grid)
+DepthMap<float> reproject_by_windows(ProjectionMap const& from, double plane, Grid const& grid)
 {
-  Grid const& g = from.grid();
   auto const& cell = from.cell();
-  auto const columns = windows(cell.profile_u, plane, grid.origin().x, grid.step().x, grid.width(), from.plane(),
-                               g.origin().x, g.step().x, g.width());
-  auto const rows = windows(cell.profile_v, plane, grid.origin().y, grid.step().y, grid.height(), from.plane(),
-                            g.origin().y, g.step().y, g.height());
+  auto const columns = windows({cell.profile_u}, columns_of(from.grid(), from.plane()), columns_of(grid, plane));
+  auto const rows = windows({cell.profile_v}, rows_of(from.grid(), from.plane()), rows_of(grid, plane));
   return farthest_in_columns(farthest_in_rows(from.depths(), columns), rows);
+}
+
+DepthMap<float> reproject_by_convolution(ProjectionMap const& from, double plane, Grid const& grid)
+{
+  auto const& cell = from.cell();
+  Axis const new_columns = columns_of(grid, plane), new_rows = rows_of(grid, plane);
+  auto const columns = windows(equivalent_cell(cell.profile_u, cell.near, new_columns),
+                               columns_of(from.grid(), from.plane()), new_columns);
+  auto const rows =
+    windows(equivalent_cell(cell.profile_v, cell.near, new_rows), rows_of(from.grid(), from.plane()), new_rows);
+  DepthMap<float> out(grid.width(), grid.height());
+  int const width = largest(columns), height = largest(rows);
+  if (width == 0 || height == 0) return out;
+  auto const eroded = erode(from.depths(), PixelKernel::rectangle({0, 0}, {width - 1.0, height - 1.0}));
+  for (int y = 0; y < grid.height(); ++y) {
+    auto const& r = rows[std::size_t(y)];
+    if (r.first > r.last) continue;
+    float const* const depths = eroded.row(r.first);
+    float* const to = out.row(y);
+    for (int x = 0; x < grid.width(); ++x) {
+      auto const& c = columns[std::size_t(x)];
+      if (c.first <= c.last) to[x] = depths[c.first];
+    }
+  }
+  return out;
 }
 
 }  // namespace visibility::extended_projection

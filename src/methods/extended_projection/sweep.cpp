@@ -48,7 +48,7 @@ public:
       auto const grid = choose_grid(views, plane);
       if (!grid) continue;
       if (map)
-        map = ProjectionMap(*map, plane, *grid);
+        map = ProjectionMap(*map, plane, *grid, options_.reprojection);
       else
         map.emplace(views, plane, *grid);
       ++plane_count_;

@@ -8,6 +8,12 @@
 
 namespace visibility::extended_projection {
 
+/// How the sweep takes over what a plane knows on the next one [Durand00, 5.1].
+enum class Reprojection {
+  windows,     ///< each column and row of pixels looks through a window of its own: the tighter one
+  convolution  ///< the paper's: one kernel, the image of an equivalent flat cell, which contains the cell's views
+};
+
 /// All of these are choices: the set is conservative whatever they are.
 struct Options {
   int resolution = 256;          ///< depth maps have as many pixels as its square; 1 to Grid::max_size
@@ -17,6 +23,7 @@ struct Options {
   bool more_occluders = true;    ///< then those of objects that are still visible, too [Durand00, 6.1]
   bool improved = true;          ///< the repaired improved Projection of occludees [Durand00, 4]
   double kernel = 5;  ///< of a sweep: planes are so far apart that the cell's image is this many pixels [Durand00, 5.2]
+  Reprojection reprojection = Reprojection::windows;  ///< of a sweep
   /// Distances of the planes from the cell, in place of chosen ones; each > 0, in metres.
   std::vector<double> distances{};
 

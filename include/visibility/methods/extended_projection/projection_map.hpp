@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/methods/extended_projection/convex_part.hpp"
+#include "visibility/methods/extended_projection/options.hpp"
 #include "visibility/raster/hierarchical_depth_map.hpp"
 #include "visibility/raster/pixel_region.hpp"
 
@@ -18,7 +19,7 @@ public:
   /// The next plane of a sweep: what another map knows, on this plane [Durand00, 5.1]. A pixel is covered if the lines
   /// from all of the cell to all of the pixel pass covered pixels there; it takes the farthest of their depths. So
   /// depths stay those of occluders. Requires: the same cell; near < from.plane() < plane.
-  ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid);
+  ProjectionMap(ProjectionMap const& from, double plane, Grid const& grid, Reprojection = Reprojection::windows);
 
   CellViews const& cell() const { return *cell_; }
   double plane() const { return plane_; }
