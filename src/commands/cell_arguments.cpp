@@ -71,6 +71,15 @@ PlanRegion parse_plan_region(std::string const& option, std::string const& text)
   return {{x[0], x[1]}, {x[2], x[3]}};
 }
 
+Point3d parse_point(std::string const& option, std::string const& text)
+{
+  auto const x = parse_numbers(option, text, "X,Y,Z");
+  if (x.size() != 3) throw BadInput(option + " " + text + ": three numbers are needed (expected X,Y,Z)");
+  Point3d const p{x[0], x[1], x[2]};
+  if (!is_finite(p)) throw BadInput(option + " " + text + ": not finite (expected X,Y,Z)");
+  return p;
+}
+
 void CellArguments::add_to(CLI::App& command)
 {
   command.add_option("--cell", boxes, "view cell X0,Y0,Z0,X1,Y1,Z1 (metres); may be repeated")

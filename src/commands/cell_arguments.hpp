@@ -31,5 +31,7 @@ struct CellArguments {
 
 /// The value X0,Y0,X1,Y1 of an option. Throws BadInput naming the option.
 PlanRegion parse_plan_region(std::string const& option, std::string const& text);
+/// A point X,Y,Z. Throws BadInput naming the option.
+Point3d parse_point(std::string const& option, std::string const& text);
 
 }  // namespace visibility::commands
