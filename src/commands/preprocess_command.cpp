@@ -62,7 +62,9 @@ Result about(Arguments const& a, Scene const& scene, PreprocessedCells const& ce
   r.options = a.method.options();
   r.options["budget"] = std::to_string(a.options.budget);
   r.options["min-size"] = std::to_string(a.options.min_size);
-  r.guarantee = cells.leaves.front().set.set.guarantee;
+  bool const is_exact =
+    std::ranges::all_of(cells.leaves, [](LeafCell const& leaf) { return leaf.set.set.guarantee == Guarantee::exact; });
+  r.guarantee = is_exact ? Guarantee::exact : Guarantee::conservative;
   r.statistics = {{"initial_cells", double(initial)},
                   {"cells", double(cells.leaves.size())},
                   {"evaluated_cells", double(cells.evaluated)}};
