@@ -177,3 +177,8 @@
 #include "visibility/viewspace/preprocess.hpp"
 #include "visibility/viewspace/refine.hpp"
 #include "visibility/viewspace/sets_file.hpp"
+
+#include "visibility/drawing/explained_picture.hpp"
+#include "visibility/drawing/plan_outline.hpp"
+#include "visibility/drawing/plan_picture.hpp"
+#include "visibility/drawing/write_picture.hpp"

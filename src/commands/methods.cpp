@@ -37,6 +37,19 @@ std::vector<CellSet> refine_strong_occlusion(strong_occlusion::Options fine, str
   return std::move(visibility::refine(scene, partition, methods, [&](std::size_t) { progress(1); }).back());
 }
 
+/// The set of a query that runs on this thread alone, and which layers decided its signs.
+template <class Query>
+PotentiallyVisibleSet tallied(Query const& query)
+{
+  ThreadTally::reset();
+  auto set = query();
+  auto const& counts = ThreadTally::counts;
+  set.statistics["signs_filter"] = double(counts.filter);
+  set.statistics["signs_interval"] = double(counts.interval);
+  set.statistics["signs_exact"] = double(counts.exact);
+  return set;
+}
+
 /// Below a column that ends above the ground sight lines pass that a height field does not know.
 void require_height_field(HeightField const& field)
 {
@@ -127,6 +140,7 @@ PotentiallyVisibleSet MethodRunner::exact_25d(ViewCell const& cell) const
 PotentiallyVisibleSet MethodRunner::exact_25d(ViewCell const& cell) const
 {
   require_above_ground(cell);
+  if (arguments_.tally) return tallied([&] { return exact_25d<TalliedFiltered>(cell); });
   if (arguments_.arithmetic == "rational") return exact_25d<Rational>(cell);
   if (arguments_.arithmetic == "double") return exact_25d<Double>(cell);
   return exact_25d<Filtered>(cell);
@@ -151,6 +165,7 @@ void MethodRunner::require_above_ground(ViewCell const& cell) const
 PotentiallyVisibleSet MethodRunner::strong_occlusion(ViewCell const& cell) const
 {
   auto const options = strong_occlusion_options(arguments_);
+  if (arguments_.tally) return tallied([&] { return StrongOcclusion<TalliedFiltered>(options)(*scene_, cell); });
   if (arguments_.arithmetic == "rational") return StrongOcclusion<Rational>(options)(*scene_, cell);
   if (arguments_.arithmetic == "double") return StrongOcclusion<Double>(options)(*scene_, cell);
   return StrongOcclusion<Filtered>(options)(*scene_, cell);
@@ -161,6 +176,7 @@ std::vector<CellSet> MethodRunner::refine(Partition const& partition,
 {
   if (arguments_.method != "strong-occlusion")
     throw BadInput("--method " + arguments_.method + " cannot refine cells: give --cell-size once");
+  if (arguments_.tally) throw BadInput("--tally counts cell by cell: give --cell-size once");
   auto const options = strong_occlusion_options(arguments_);
   auto const coarse = strong_occlusion::granularity_from_string(arguments_.coarse_granularity);
   if (arguments_.arithmetic == "rational")

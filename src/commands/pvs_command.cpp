@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -42,6 +43,14 @@ struct Arguments {
 double seconds_since(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Processor seconds of the calling thread.
+double thread_seconds()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// `scene`: of the objects that were looked for.
@@ -109,16 +118,19 @@ struct Answers {
   std::vector<ViewCell> cells;
   std::vector<CellSet> sets;
   std::vector<exact_25d::Explanation> explanations{};  ///< if they were asked for
+  std::vector<double> processor_seconds{};             ///< unless the sets were refined
 };
 
 Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells, bool explain)
 {
   Answers out{std::move(cells), {}};
   out.sets.resize(out.cells.size());
+  out.processor_seconds.resize(out.cells.size());
   if (explain) out.explanations.resize(out.cells.size());
   Progress progress(method.steps_per_cell() > 1 ? "rays" : "cells", out.cells.size() * method.steps_per_cell());
   oneapi::tbb::parallel_for(std::size_t{0}, out.cells.size(), [&](std::size_t i) {
     auto const start = std::chrono::steady_clock::now();
+    double const busy = thread_seconds();
     if (explain) {
       std::tie(out.sets[i].set, out.explanations[i]) = method.explain(out.cells[i]);
       progress.advance(1);
@@ -126,6 +138,7 @@ Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells, bool
       out.sets[i].set = method(out.cells[i], [&](std::uint64_t n) { progress.advance(n); });
     }
     out.sets[i].seconds = seconds_since(start);
+    out.processor_seconds[i] = thread_seconds() - busy;
   });
   return out;
 }
@@ -175,6 +188,7 @@ void run(Arguments const& a)
   for (std::size_t i = 0; i < answers.cells.size(); ++i) {
     results.push_back(make_result(a, scene.source, looked_for, answers.cells[i], answers.sets[i].set));
     results.back().seconds = {read, build, answers.sets[i].seconds};
+    if (!answers.processor_seconds.empty()) results.back().seconds.processor = answers.processor_seconds[i];
   }
   if (!a.method.explain.empty()) write_output(a.method.explain, to_json(scene, answers.cells, answers.explanations));
   if (a.output.empty()) {

@@ -23,6 +23,7 @@ struct NamedWitness {
 struct Result {
   struct Seconds {
     double read = 0, build = 0, query = 0;
+    double processor = 0;  ///< of the thread that answered the query, however busy the machine is; 0: not measured
   };
   std::string source;                       ///< the scene as the user named it
   bool grounded = false;                    ///< the set is that of grounded(scene)
