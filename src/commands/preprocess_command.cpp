@@ -105,8 +105,8 @@ void print_summary(StoredSets const& stored, PreprocessedCells const& cells, std
 void run(Arguments const& a)
 {
   a.method.validate();
-  if (!a.method.occludees.empty() || !a.method.explain.empty() || a.method.witnesses)
-    throw BadInput("preprocess keeps sets alone: leave out --occludees, --explain and --witnesses");
+  if (!a.method.occludees.empty() || !a.method.explain.empty() || a.method.witnesses || a.method.tally)
+    throw BadInput("preprocess keeps sets alone: leave out --occludees, --explain, --witnesses and --tally");
   if (!(a.options.min_size > 0)) throw BadInput("--min-size must be positive, in metres");
   auto const initial = initial_cells(a.cells);
   auto start = std::chrono::steady_clock::now();
