@@ -62,7 +62,9 @@ Result about(Arguments const& a, Scene const& scene, PreprocessedCells const& ce
   r.options = a.method.options();
   r.options["budget"] = std::to_string(a.options.budget);
   r.options["min-size"] = std::to_string(a.options.min_size);
-  r.guarantee = cells.leaves.front().set.set.guarantee;
+  bool const is_exact =
+    std::ranges::all_of(cells.leaves, [](LeafCell const& leaf) { return leaf.set.set.guarantee == Guarantee::exact; });
+  r.guarantee = is_exact ? Guarantee::exact : Guarantee::conservative;
   r.statistics = {{"initial_cells", double(initial)},
                   {"cells", double(cells.leaves.size())},
                   {"evaluated_cells", double(cells.evaluated)}};
@@ -103,8 +105,8 @@ void print_summary(StoredSets const& stored, PreprocessedCells const& cells, std
 void run(Arguments const& a)
 {
   a.method.validate();
-  if (!a.method.occludees.empty() || !a.method.explain.empty() || a.method.witnesses)
-    throw BadInput("preprocess keeps sets alone: leave out --occludees, --explain and --witnesses");
+  if (!a.method.occludees.empty() || !a.method.explain.empty() || a.method.witnesses || a.method.tally)
+    throw BadInput("preprocess keeps sets alone: leave out --occludees, --explain, --witnesses and --tally");
   if (!(a.options.min_size > 0)) throw BadInput("--min-size must be positive, in metres");
   auto const initial = initial_cells(a.cells);
   auto start = std::chrono::steady_clock::now();

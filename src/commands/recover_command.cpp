@@ -36,11 +36,9 @@ std::size_t wanted_cell(Arguments const& a, DeltaSets const& sets)
 
 void print_description(StoredSets const& stored)
 {
-  auto const sizes = stored_sizes(stored.sets);
   std::cout << stored.about.source << ", " << stored.about.method << ", " << to_string(stored.about.guarantee) << ": "
             << stored.sets.object_count() << " objects, " << stored.sets.size() << " cells, " << stored.sets.key_count()
-            << " of them key cells; sets " << sizes.differences << " bytes as differences, " << sizes.whole
-            << " as whole sets\n";
+            << " of them key cells\n";
 }
 
 void run(Arguments const& a)

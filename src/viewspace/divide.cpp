@@ -77,12 +77,28 @@ std::optional<double> exactly_between(double a, double b, RationalNumber const& 
   return rounded;
 }
 
+/// A point of the edge at about this share of it. On an edge along an axis every double between its ends is one.
 std::optional<Point3d> exactly_between(Point3d const& a, Point3d const& b, int share)
 {
-  RationalNumber const t(share, shares);
-  auto const x = exactly_between(a.x, b.x, t), y = exactly_between(a.y, b.y, t), z = exactly_between(a.z, b.z, t);
-  if (!x || !y || !z) return {};
-  return Point3d{*x, *y, *z};
+  int differing = 0;
+  for (auto const axis : {&Point3d::x, &Point3d::y, &Point3d::z})
+    if (a.*axis != b.*axis) ++differing;
+  Point3d out = a;
+  for (auto const axis : {&Point3d::x, &Point3d::y, &Point3d::z}) {
+    double const from = a.*axis, to = b.*axis;
+    if (from == to) continue;
+    if (differing == 1) {
+      // Symmetric in both ends, so that parallel edges are cut alike.
+      double const low = std::min(from, to), high = std::max(from, to), t = double(share) / shares;
+      out.*axis = (1 - t) * from + t * to;
+      if (!(low < out.*axis && out.*axis < high)) return {};
+    } else if (auto const x = exactly_between(from, to, RationalNumber(share, shares))) {
+      out.*axis = *x;
+    } else {
+      return {};
+    }
+  }
+  return out;
 }
 
 double Point3d::*longest_axis(Box const& b)
@@ -120,8 +136,7 @@ double grid_of(ViewCell const& cell)
 bool is_multiple(double x, double grid) { return std::rint(x / grid) * grid == x; }
 double nearest(double x, double grid) { return std::rint(x / grid) * grid; }
 
-/// The vertices, scaled by 1 + share about their mean and moved to the nearest grid points; heights of a prism to the
-/// next ones outward.
+/// The vertices, scaled by 1 + share about their mean and moved to the nearest grid points; those of a prism in plan.
 std::vector<Point3d> moved(ViewCell const& cell, double grid, double share, bool is_prism)
 {
   auto const n = static_cast<double>(cell.vertices().size());
@@ -129,8 +144,7 @@ std::vector<Point3d> moved(ViewCell const& cell, double grid, double share, bool
   for (auto const& v : cell.vertices()) middle = {middle.x + v.x / n, middle.y + v.y / n, middle.z + v.z / n};
   std::vector<Point3d> out;
   for (auto const& v : cell.vertices()) {
-    double const z = is_prism ? (v.z < middle.z ? std::floor(v.z / grid) : std::ceil(v.z / grid)) * grid
-                              : nearest(v.z + share * (v.z - middle.z), grid);
+    double const z = is_prism ? v.z : nearest(v.z + share * (v.z - middle.z), grid);
     out.push_back({nearest(v.x + share * (v.x - middle.x), grid), nearest(v.y + share * (v.y - middle.y), grid), z});
   }
   return out;
@@ -186,11 +200,11 @@ ViewCell divisible(ViewCell const& cell)
 {
   if (cell.is_box()) return cell;
   double const grid = grid_of(cell);
+  bool const is_prism = is_upright_prism(cell);
   auto const on_grid = [&](Point3d const& v) {
-    return is_multiple(v.x, grid) && is_multiple(v.y, grid) && is_multiple(v.z, grid);
+    return is_multiple(v.x, grid) && is_multiple(v.y, grid) && (is_prism || is_multiple(v.z, grid));
   };
   if (std::ranges::all_of(cell.vertices(), on_grid)) return cell;
-  bool const is_prism = is_upright_prism(cell);
   constexpr double largest_share = 0x1p-10;
   for (double share = grid / longest_side(cell.bounds()); share <= largest_share; share *= 2) {
     auto const points = moved(cell, grid, share, is_prism);

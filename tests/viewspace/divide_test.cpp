@@ -120,6 +120,26 @@ TEST_CASE("divide: an upright street is cut across, and its halves tile it", "[v
   }
 }
 
+TEST_CASE("divide: an upright prism keeps its heights, whatever their bits, and is cut at any height", "[viewspace]")
+{
+  Random random(4);
+  for (int trial = 0; trial < test::trials(20); ++trial) {
+    double const low = random.uniform(0, 1), high = low + random.uniform(20, 80);
+    std::vector<Point3d> points;
+    for (double const z : {low, high})
+      for (auto const& [x, y] : {std::pair{0.1, 0.2}, {3.7, 0.9}, {2.9, 4.1}}) points.push_back({x, y, z});
+    auto cell = divisible(ViewCell::hull(points));
+    REQUIRE(cell.bounds().min.z == low);
+    REQUIRE(cell.bounds().max.z == high);
+    for (int depth = 0; depth < 6; ++depth) {
+      auto const parts = halves(cell);
+      REQUIRE(parts);
+      REQUIRE(volume(parts->first) + volume(parts->second) == volume(cell));
+      cell = parts->first;
+    }
+  }
+}
+
 TEST_CASE("divide: boxes become boxes, cut across their longest side", "[viewspace]")
 {
   auto const parts = halves(ViewCell(Box{{0, 0, 0}, {4, 10, 1}}));

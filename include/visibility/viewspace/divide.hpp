@@ -19,7 +19,7 @@ std::optional<std::pair<ViewCell, ViewCell>> halves(ViewCell const& cell);
 
 /// The cell, or one a little larger around it whose edges have points in doubles. A box stays as it is, and a cell with
 /// coordinates of few bits; of others vertices move outward onto a grid, of 2^-31 times the coordinates, or finer for
-/// small cells. An upright prism stays one. Exact: it contains the cell.
+/// small cells. An upright prism stays one, of the same height. Exact: it contains the cell.
 ViewCell divisible(ViewCell const& cell);
 
 }  // namespace visibility
