@@ -115,27 +115,42 @@ void city(Report& report, Size size)
   };
   add("extended-projection", measure(m, cells, ExtendedProjection()));
   add("occlusion-sweep", measure(m, cells, OcclusionSweep()));
+  if (full) add("occlusion-sweep, resolution 384", measure(m, cells, OcclusionSweep(with_resolution(384))));
+  add("occlusion-sweep, on the ground", measure(m, street_cells(full ? 28 : 2, 0), OcclusionSweep()));
   auto const few = street_cells(full ? 6 : 1);
   add("occlusion-sweep, first cells", measure(m, few, OcclusionSweep()));
   add("strong-occlusion, first cells", measure(m, few, StrongOcclusion<>()));
   table.notes.emplace_back(
     "The paper: 0.81 s a cell, 96 % hidden; strong occlusion 4 times the objects, 150 times the time.");
   table.notes.emplace_back("ns a pixel: all of the time, over pixels written.");
+  double const objects = static_cast<double>(m.scene.objects.size());
+  for (std::uint64_t const rays : {1'000'000, 10'000'000}) {
+    double const seen = mean_seen(m, full ? cells : few, full ? rays : rays / 100);
+    table.notes.push_back(std::to_string(rays) + " guided rays a cell see " + std::to_string(seen) +
+                          " objects: no method hides more than " + std::to_string(100 * (1 - seen / objects)) + " %.");
+  }
 }
 
 void forest(Report& report, Size size)
 {
   bool const full = size == Size::full;
-  auto& table = report.table(
-    "Section 7.2: forest, cells among the crowns",
-    {"scene", "cell, m", "resolution", "visible", "objects hidden, %", "ms", "planes", "leaves projected"});
-  for (std::string const leaf : {"0.3", "0.6"}) {
-    Model const m((full ? "forest,n=2000,leaf=" : "forest,n=30,leaf=") + leaf, false);
-    for (double const side : {0.1, 0.5})
+  auto& table = report.table("Section 7.2: forest, cells among the crowns, occlusion sweep",
+                             {"scene", "cell, m", "resolution", "visible", "objects hidden, %", "seen by rays", "ms",
+                              "planes", "leaves projected"});
+  std::vector<std::string> const scenes =
+    full ? std::vector<std::string>{"forest,n=7750,leaf=0.6", "forest,n=2000,leaf=0.3"}
+         : std::vector<std::string>{"forest,n=30,leaf=0.6"};
+  for (auto const& name : scenes) {
+    Model const m(name, false);
+    for (double const side : {0.1, 0.25, 0.5}) {
+      auto const cells = crown_cells(full ? 5 : 1, side);
+      double const seen = mean_seen(m, cells, full ? 1'000'000 : 10'000);
       for (int const n : {256, 512}) {
-        auto const s = measure(m, crown_cells(full ? 5 : 1, side), OcclusionSweep(with_resolution(n)));
-        table.add({m.name, side, double(n), s.visible, s.hidden_percent, 1e3 * s.seconds, s.planes, s.occluders});
+        auto const s = measure(m, cells, OcclusionSweep(with_resolution(n)));
+        table.add({m.name, side, double(n), s.visible, s.hidden_percent, seen, 1e3 * s.seconds, s.planes, s.occluders});
       }
+      if (!full) break;
+    }
   }
   table.notes.emplace_back(
     "The paper: 7.8 M triangles, 15 planes, 23 s a cell, 95.5 % hidden; neither its leaves nor its cells are given.");
