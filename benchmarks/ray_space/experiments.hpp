@@ -41,6 +41,9 @@ struct Measured {
 };
 Measured measure(PreparedScene const& scene, ViewCell const& cell, Options const& options, bool triangles = true);
 
+/// One run, for queries of many seconds; no triangles.
+Measured measure_once(PreparedScene const& scene, ViewCell const& cell, Options const& options);
+
 /// Objects that guided rays see: fewer than there are.
 double sampled(Model const& model, ViewCell const& cell, Size size);
 

@@ -22,6 +22,14 @@ Measured measure(PreparedScene const& scene, ViewCell const& cell, Options const
   return m;
 }
 
+Measured measure_once(PreparedScene const& scene, ViewCell const& cell, Options const& options)
+{
+  Measured m;
+  m.seconds = median_seconds<ProcessorClock>(
+    1, 0, [&] { m.objects = static_cast<double>(RaySpace(options)(scene, cell).visible.size()); });
+  return m;
+}
+
 double sampled(Model const& model, ViewCell const& cell, Size size)
 {
   Sampling::Options options;

@@ -161,8 +161,8 @@ std::vector<std::pair<RationalNumber, RationalNumber>> slice(Frame const& frame,
 
 TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any of its lines", "[methods][oracle]")
 {
-  std::size_t gates = 0;
-  for (int trial = 0; trial < trials(60); ++trial) {
+  std::size_t gates = 0, upright = 0;
+  for (int trial = 0; trial < trials(90); ++trial) {
     CAPTURE(trial);
     Random random(static_cast<std::uint64_t>(trial));
     double const far = random.chance(0.3) ? 1e6 : 0;
@@ -170,6 +170,11 @@ TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any
     std::vector<Point3d> points;
     for (int i = random.between(3, 8); i > 0; --i)
       points.push_back({far + random.uniform(4, 12), random.uniform(-8, 8), random.uniform(-4, 9)});
+    if (trial % 3 == 0) {  // an upright prism, below, at or above the cell
+      double const low = random.uniform(-4, 6), high = low + random.uniform(0.1, 6);
+      for (auto& p : points) p.z = low;
+      for (std::size_t i = 0, n = points.size(); i < n; ++i) points.push_back({points[i].x, points[i].y, high});
+    }
     Box bounds;
     for (auto const& p : points) bounds.extend(p);
     Chords chords;
@@ -177,6 +182,8 @@ TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any
       chords_of(Triangle{{points[0], points[1], points[2]}}, chords);
     else
       chords_of(ConvexPolyhedron::hull(points), chords);
+    upright += chords.upright;
+    CHECK((trial % 3 != 0 || chords.upright));
     Options options;
     options.bounds = random.chance(0.5) ? Bounds::exact : Bounds::linear;
     OccluderWriter writer(-1e9, options);
@@ -217,6 +224,7 @@ TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any
         }
     }
   }
+  CHECK(upright > 0);
   CHECK(gates > static_cast<std::size_t>(trials(100)));
 }
 

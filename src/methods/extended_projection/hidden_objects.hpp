@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/scene/object_selection.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
 
@@ -12,10 +13,14 @@ namespace visibility::extended_projection {
 /// Which objects, and groups of them, are known to be hidden from a cell; what is hidden stays so. Keeps references.
 class HiddenObjects {
 public:
-  HiddenObjects(PreparedScene const& scene, ViewCell const& cell)
+  /// What is not `among` the objects of interest, if these are given, is taken as hidden.
+  HiddenObjects(PreparedScene const& scene, ViewCell const& cell, ObjectSelection const* among)
     : scene_(scene), cell_(cell), nodes_(scene.object_hierarchy().nodes().size()),
       objects_(scene.scene().objects.size())
   {
+    if (among == nullptr) return;
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) nodes_[i] = !among->any_below(i);
+    for (std::uint32_t o = 0; o < objects_.size(); ++o) objects_[o] = !among->holds(o);
   }
 
   void hide(std::uint32_t object) { objects_[object] = true; }

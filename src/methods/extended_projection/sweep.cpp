@@ -27,9 +27,10 @@ constexpr std::size_t most_parts = 64;
 /// One sweep after the other over one scene; what is hidden stays so.
 class Sweeps {
 public:
-  Sweeps(PreparedScene const& scene, ViewCell const& cell, Options const& options)
+  /// What is not `among` the objects of interest, if these are given, is taken as hidden.
+  Sweeps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
     : scene_(scene), cell_(cell), options_(options), projector_(scene, cell),
-      important_(select_occluders(scene, cell, most_important)), hidden_(scene, cell)
+      important_(select_occluders(scene, cell, most_important, among)), hidden_(scene, cell, among)
   {
   }
 
@@ -136,13 +137,26 @@ private:
   std::int64_t pixels_ = 0;
 };
 
+PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& cell, Options const& options,
+                                  ObjectSelection const* among)
+{
+  Sweeps sweeps(scene, cell, options, among);
+  for (auto const& frame : frames) sweeps.run(frame);
+  return sweeps.result();
+}
+
 }  // namespace
 
 PotentiallyVisibleSet OcclusionSweep::operator()(PreparedScene const& scene, ViewCell const& cell) const
 {
-  Sweeps sweeps(scene, cell, options_);
-  for (auto const& frame : frames) sweeps.run(frame);
-  return sweeps.result();
+  return visible_set(scene, cell, options_, nullptr);
+}
+
+PotentiallyVisibleSet OcclusionSweep::operator()(PreparedScene const& scene, ViewCell const& cell,
+                                                 std::span<std::uint32_t const> candidates) const
+{
+  ObjectSelection const among(scene.object_hierarchy(), candidates);
+  return visible_set(scene, cell, options_, &among);
 }
 
 }  // namespace visibility

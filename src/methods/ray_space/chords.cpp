@@ -12,8 +12,7 @@ constexpr std::size_t most_points = 32;  ///< of a polyhedron, and of a prism's 
 
 std::uint16_t index(std::size_t i) { return static_cast<std::uint16_t>(i); }
 
-/// Both rings of an upright prism over the convex polygon, in order around it. Top chords are no bottoms and vice
-/// versa.
+/// Both rings of an upright prism over the convex polygon, in order around it.
 void upright(std::vector<Point2d> const& polygon, double bottom, double top, Chords& out)
 {
   out.clear();
@@ -23,9 +22,9 @@ void upright(std::vector<Point2d> const& polygon, double bottom, double top, Cho
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) {
       auto& chords = j == i + 1 || (i == 0 && j == n - 1) ? out.edges : out.others;
-      chords.push_back({index(i), index(j), false, true});
-      chords.push_back({index(n + i), index(n + j), true, false});
+      chords.push_back({index(i), index(j), true, true});
     }
+  out.upright = true;
 }
 
 void all_pairs(Chords& out)
@@ -47,6 +46,32 @@ std::vector<Point3d> outermost(std::vector<Point3d> const& points)
   std::vector<Point3d> out;
   for (auto const i : chosen) out.push_back(points[i]);
   return out;
+}
+
+/// Whether half of the vertices lie at one height and the others right above them; fills `out` if so.
+bool upright(ConvexPolyhedron const& p, Chords& out)
+{
+  double const bottom = std::ranges::min(p.vertices, {}, &Point3d::z).z;
+  std::vector<std::size_t> position(p.vertices.size(), p.vertices.size());  // in the lower ring
+  for (std::size_t i = 0; i < p.vertices.size(); ++i)
+    if (p.vertices[i].z == bottom) position[i] = out.points.size(), out.points.push_back(p.vertices[i]);
+  std::size_t const n = out.points.size();
+  if (2 * n != p.vertices.size()) return false;
+  double const top = std::ranges::max(p.vertices, {}, &Point3d::z).z;
+  for (std::size_t i = 0; i < n; ++i) {
+    Point3d const above{out.points[i].x, out.points[i].y, top};
+    if (std::ranges::find(p.vertices, above) == p.vertices.end()) return false;
+    out.points.push_back(above);
+  }
+  std::vector<bool> is_edge(n * n, false);
+  for (auto const& e : p.edges) {
+    auto const i = position[static_cast<std::size_t>(e.from)], j = position[static_cast<std::size_t>(e.to)];
+    if (i < n && j < n) is_edge[std::min(i, j) * n + std::max(i, j)] = true;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n; ++j)
+      (is_edge[i * n + j] ? out.edges : out.others).push_back({index(i), index(j), true, true});
+  return out.upright = true;
 }
 
 }  // namespace
@@ -92,6 +117,8 @@ void chords_of(ConvexPolyhedron const& p, Chords& out)
     out.points = outermost(p.vertices);
     return all_pairs(out);
   }
+  if (upright(p, out)) return;
+  out.clear();
   out.points = p.vertices;
   // The upper ends of slices lie in facets that look up, the lower ones in facets that look down (rounded: a choice).
   std::vector<Chord> edges;

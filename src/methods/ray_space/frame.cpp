@@ -1,5 +1,7 @@
 #include "visibility/methods/ray_space/frame.hpp"
 
+#include <limits>
+
 namespace visibility::ray_space {
 
 namespace {
@@ -46,7 +48,11 @@ Frame::Frame(Box const& cell, int family, int rows, int columns)
   s_ = lines((h_ + t * a_) * up, columns);
   columns_per_unit_ = columns / (s_.back() - s_.front());
   for (int row = 0; row < rows; ++row)
-    for (int column = 0; column < columns; ++column) slices_.push_back(make_slice(row, column));
+    for (int column = 0; column < columns; ++column) {
+      slices_.push_back(make_slice(row, column));
+      auto const& k = slices_.back();
+      exits_.push_back(k.u_in <= k.u_out ? k.u_out : std::numeric_limits<double>::infinity());
+    }
 }
 
 int Frame::columns_below(double limit) const

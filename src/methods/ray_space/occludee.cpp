@@ -6,25 +6,43 @@
 
 namespace visibility::ray_space {
 
+template <class AllHidden>
+bool OccludeeTest::in_every_family(AllHidden&& all_hidden)
+{
+  std::size_t const n = families_.size();
+  for (std::size_t k = 0, first = last_family_; k < n; ++k) {
+    std::size_t const f = (first + k) % n;
+    int shown = 0;
+    if (all_hidden(families_[f], k == 0 ? last_row_ : 0, shown)) continue;
+    last_family_ = f;
+    last_row_ = shown;
+    return false;
+  }
+  return true;
+}
+
 bool OccludeeTest::hidden(Box const& box)
 {
-  return std::ranges::all_of(families_, [&](Family const& f) {
+  return in_every_family([&](Family const& f, int start, int& shown) {
     if (!in_reach(*f.frame, box)) return false;
     auto const local = local_box(*f.frame, box);
-    return !local || every_row(*f.frame, *local, [&](int row, int from, int to) {
+    auto const is_hidden = [&](int row, int from, int to) {
+      shown = row;
       return f.map->first_visible(row, from, to, local->extent) == to;
-    });
+    };
+    return !local || every_row(*f.frame, *local, is_hidden, start);
   });
 }
 
 bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
 {
-  return std::ranges::all_of(families_, [&](Family const& f) {
+  return in_every_family([&](Family const& f, int start, int& shown) {
     if (!in_reach(*f.frame, bounds)) return false;
     auto const local = local_box(*f.frame, bounds);
     if (!local) return true;
     localize(*f.frame, points);
-    return every_row(*f.frame, *local, [&](int row, int from, int to) {
+    auto const is_hidden = [&](int row, int from, int to) {
+      shown = row;
       double const t0 = f.frame->t(row), t1 = f.frame->t(row + 1);
       double low = HUGE_VAL, high = -HUGE_VAL;
       for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -39,7 +57,8 @@ bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
         if (c < to && !hidden_in_pixel(f, row, c)) return false;
       }
       return true;
-    });
+    };
+    return every_row(*f.frame, *local, is_hidden, start);
   });
 }
 

@@ -13,6 +13,7 @@ namespace visibility::ray_space {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr float nowhere = std::numeric_limits<float>::infinity();  ///< what a gate that hides nothing holds beyond
 
 GateEnd top_end(double slope, double separating, CellSlice const& k, double back)
 {
@@ -108,6 +109,92 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
   }
 }
 
+/// At a constant height every tangent is monotone in the distance, so of the chords that all lines of a pixel cross the
+/// nearest or the farthest gives each end of the gate.
+void OccluderWriter::cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row)
+{
+  double const scale = frame.half_length() + frame.height(), least_ahead = 0x1p-30 * frame.half_length();
+  double const* const s = frame.column_lines();
+  double const* const exit = frame.exits(row);
+  for (auto const& chord : chords)
+    for (auto const& [i, j] : {std::pair(chord.from, chord.to), std::pair(chord.to, chord.from)}) {
+      int const from = above_[j], to = below_[i];
+      if (from >= to) continue;
+      LocalPoint const &p = points_[i], &q = points_[j];
+      double const margins = margin_[i] + margin_[j];
+      if (options_.bounds == Bounds::exact) {
+        for (int const end : {0, 1}) {
+          Crossing const crossing(p, q, margins, scale, frame.t(row + end));
+          double *const low = line_[end].low.data(), *const high = line_[end].high.data();
+          for (int c = from; c <= to; ++c) {
+            auto const at = crossing(s[c]);
+            low[c] = at.u_low, high[c] = at.u_high;
+          }
+        }
+      } else {
+        LinearCrossing const crossing(frame, p, q, margins);
+        for (int const end : {0, 1})
+          for (int c = from; c <= to; ++c) {
+            auto const at = crossing(s[c], frame.t(row + end));
+            line_[end].low[static_cast<std::size_t>(c)] = at.u_low;
+            line_[end].high[static_cast<std::size_t>(c)] = at.u_high;
+          }
+      }
+      double const *const low0 = line_[0].low.data(), *const low1 = line_[1].low.data();
+      double const *const high0 = line_[0].high.data(), *const high1 = line_[1].high.data();
+      double *const near_low = near_.low.data(), *const near_high = near_.high.data();
+      double *const far_low = far_.low.data(), *const far_high = far_.high.data();
+      auto const less = [](double x, double y) { return x < y ? x : y; };
+      auto const more = [](double x, double y) { return x > y ? x : y; };
+      for (int c = from; c < to; ++c) {
+        double const low = less(less(low0[c], low0[c + 1]), less(low1[c], low1[c + 1]));
+        double const high = more(more(high0[c], high0[c + 1]), more(high1[c], high1[c + 1]));
+        bool const ahead = low - exit[c] > least_ahead;
+        bool const nearest = ahead & (high < near_high[c]), farthest = ahead & (low > far_low[c]);
+        near_low[c] = nearest ? low : near_low[c];
+        near_high[c] = nearest ? high : near_high[c];
+        far_low[c] = farthest ? low : far_low[c];
+        far_high[c] = farthest ? high : far_high[c];
+      }
+    }
+}
+
+std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row,
+                                              int from, int to)
+{
+  std::fill(near_.high.begin() + from, near_.high.begin() + to, infinity);
+  std::fill(far_.low.begin() + from, far_.low.begin() + to, -infinity);
+  cross_upright_row(body.edges, frame, row);
+  // Other chords are crossed where no edge is: in pixels of vertices.
+  if (std::find(near_.high.begin() + from, near_.high.begin() + to, infinity) != near_.high.begin() + to)
+    cross_upright_row(body.others, frame, row);
+  double const back = frame.half_length(), scale = back + frame.height();
+  double const bottom = points_.front().z, top = points_.back().z;
+  double const slack = 0x1p-47 * (std::fabs(bottom) + std::fabs(top) + scale);
+  bool const open_below = ground_.front();
+  if (!open_below && options_.umbra == Umbra::half) return 0;
+  Crossed const &for_top = top - slack >= frame.height() ? near_ : far_,
+                &for_bottom = open_below || bottom + slack < 0 ? near_ : far_;
+  std::size_t written = 0;
+  for (int column = from; column < to; ++column) {
+    auto const c = static_cast<std::size_t>(column);
+    gates_[c].beyond = nowhere;
+    if (open_[c] == 0 || near_.high[c] == infinity) continue;
+    auto const& k = *frame.cell_slice(row, column);
+    SlicePoint const upper{for_top.low[c], for_top.high[c], top - slack, top + slack};
+    SlicePoint const lower{for_bottom.low[c], for_bottom.high[c], bottom - slack, bottom + slack};
+    gates_[c] = {top_end(least_upper_tangent(k, upper), least_lower_tangent(k, upper), k, back),
+                 open_below ? open_bottom
+                            : bottom_end(greatest_lower_tangent(k, lower), greatest_upper_tangent(k, lower), k, back),
+                 float_above(safely_above(std::max(upper.u_high, lower.u_high) + back))};
+    ++written;
+  }
+  if (written > 0)
+    map.insert(row, from,
+               std::span(gates_).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from)));
+  return written;
+}
+
 bool OccluderWriter::is_gap(int column) const
 {
   auto const c = static_cast<std::size_t>(column);
@@ -137,11 +224,15 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
   top_.resize(columns);
   bottom_.resize(columns);
   open_.resize(columns);
+  gates_.resize(columns);
+  for (auto* const crossed : {&near_, &far_, &line_[0], &line_[1]})
+    for (auto* const bound : {&crossed->low, &crossed->high}) bound->resize(columns + 1);
+  std::size_t const plan_points = body.upright ? points_.size() / 2 : points_.size();
   std::size_t written = 0;
   every_row(frame, *box, [&](int row, int, int) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double least = infinity, most = -infinity;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (std::size_t i = 0; i < plan_points; ++i) {
       auto const& p = points_[i];
       double const x = t0 * p.u, y = t1 * p.u;
       below_limit_[i] = p.v - std::max(x, y) - margin_[i];
@@ -151,8 +242,14 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
     }
     if (!(least < most)) return true;
     int const from = frame.columns_from(least), to = frame.columns_below(most);
-    if (from < to && map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)]))
-      written += write_row(body, frame, map, row, from, to);
+    if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)]))
+      return true;
+    for (std::size_t i = 0; i < plan_points; ++i) {
+      below_[i] = frame.columns_below(below_limit_[i]);
+      above_[i] = frame.columns_from(above_limit_[i]);
+    }
+    written +=
+      body.upright ? write_upright_row(body, frame, map, row, from, to) : write_row(body, frame, map, row, from, to);
     return true;
   });
   return written;
@@ -165,23 +262,23 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
     bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
   }
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    below_[i] = frame.columns_below(below_limit_[i]);
-    above_[i] = frame.columns_from(above_limit_[i]);
-  }
   add_chords(body.edges, frame, row, false);
   add_chords(body.others, frame, row, true);
   std::size_t written = 0;
   double const back = frame.half_length();
   for (int c = from; c < to; ++c) {
+    gates_[static_cast<std::size_t>(c)].beyond = nowhere;
     if (is_gap(c)) continue;
     auto const& k = *frame.cell_slice(row, c);
     auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
-    map.insert(row, c,
-               {top_end(top.slope, top.separating, k, back), bottom_end(bottom.slope, bottom.separating, k, back),
-                float_above(safely_above(std::max(top.far, bottom.far) + back))});
+    gates_[static_cast<std::size_t>(c)] = {top_end(top.slope, top.separating, k, back),
+                                           bottom_end(bottom.slope, bottom.separating, k, back),
+                                           float_above(safely_above(std::max(top.far, bottom.far) + back))};
     ++written;
   }
+  if (written > 0)
+    map.insert(row, from,
+               std::span(gates_).subspan(static_cast<std::size_t>(from), static_cast<std::size_t>(to - from)));
   return written;
 }
 

@@ -22,8 +22,11 @@ struct Chord {
 struct Chords {
   std::vector<Point3d> points;
   std::vector<Chord> edges, others;
+  /// An upright prism: the first half of the points is its lower ring and the second half its upper one, in the same
+  /// order; chords join points of the lower ring and stand for those above them as well. `top`, `bottom` do not count.
+  bool upright = false;
 
-  void clear() { points.clear(), edges.clear(), others.clear(); }
+  void clear() { points.clear(), edges.clear(), others.clear(), upright = false; }
 };
 
 /// Replaces what is in `out`.

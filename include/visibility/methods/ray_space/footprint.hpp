@@ -49,9 +49,9 @@ inline bool in_reach(Frame const& frame, Box const& box)
 }
 
 /// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether
-/// it always returned true.
+/// it always returned true. Begins with row `start` if it is one of them.
 template <class InRow>
-bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row)
+bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row, int start = 0)
 {
   double const slack =
     frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)), std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
@@ -64,13 +64,18 @@ bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row)
     first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
     last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
   }
-  for (int row = first; row < last; ++row) {
+  auto const visit = [&](int row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double const least = std::min(std::min(t0 * b.u0, t0 * b.u1), std::min(t1 * b.u0, t1 * b.u1));
     double const most = std::max(std::max(t0 * b.u0, t0 * b.u1), std::max(t1 * b.u0, t1 * b.u1));
     int const from = frame.columns_below(b.v0 - most - slack), to = frame.columns_from(b.v1 - least + slack);
-    if (from < to && !in_row(row, from, to)) return false;
-  }
+    return from >= to || in_row(row, from, to);
+  };
+  if (start <= first || start >= last) start = first;
+  for (int row = start; row < last; ++row)
+    if (!visit(row)) return false;
+  for (int row = first; row < start; ++row)
+    if (!visit(row)) return false;
   return true;
 }
 

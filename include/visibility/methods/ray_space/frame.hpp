@@ -53,6 +53,11 @@ public:
     return k.u_in <= k.u_out ? &k : nullptr;
   }
 
+  /// The column lines, and for each pixel of a row how far forward its lines have left the cell at the latest: infinity
+  /// if none meets it.
+  double const* column_lines() const { return s_.data(); }
+  double const* exits(int row) const { return &exits_[static_cast<std::size_t>(row) * (s_.size() - 1)]; }
+
   /// What |s + t u - v| may be off by for a local point, over the whole map; 8 times it is asked for (the proof says
   /// why that is enough).
   double margin(LocalPoint const& p) const
@@ -68,7 +73,7 @@ private:
   double sign_;
   Point3d centre_;
   double bottom_, a_, h_, height_, columns_per_unit_;
-  std::vector<double> s_, t_;
+  std::vector<double> s_, t_, exits_;
   std::vector<CellSlice> slices_;
 };
 

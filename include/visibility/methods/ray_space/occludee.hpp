@@ -10,7 +10,8 @@ namespace visibility::ray_space {
 
 /// Asks occlusion maps whether all of a box, or of the convex hull of points, is hidden: in every pixel that its
 /// footprint meets, whatever lies there. Answers "hidden" only if it is; what is out of the domain is visible.
-/// Keeps its scratch memory from question to question.
+/// Keeps its scratch memory from question to question, and begins with the pixel that showed the last thing that was
+/// not hidden: what is asked next is often a part of that, or beside it.
 class OccludeeTest {
 public:
   /// A frame with its map. Requires: both outlive this.
@@ -31,7 +32,13 @@ private:
   void clip(Frame const& frame, int row, int column);
   void add(Frame const& frame, double u, double z, double du, double dz);
 
+  /// Whether all_hidden(family, row to begin with, row in which something showed) is true of every family.
+  template <class AllHidden>
+  bool in_every_family(AllHidden&& all_hidden);
+
   std::vector<Family> families_;
+  std::size_t last_family_ = 0;  // where something was not hidden
+  int last_row_ = 0;
   std::vector<LocalPoint> points_;
   std::vector<double> margin_, low_side_, high_side_;
   double nearest_ = 0, farthest_ = 0;  // u of the hull

@@ -32,7 +32,14 @@ private:
     bool only_gaps;  ///< serves only where no chord before it does
   };
 
+  /// Bounds of how far forward a chord is crossed.
+  struct Crossed {
+    std::vector<double> low, high;
+  };
+
   bool localize(Chords const& body, Frame const& frame);
+  std::size_t write_upright_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
+  void cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row);
   std::size_t write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
   void cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to);
   void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps);
@@ -47,7 +54,10 @@ private:
                                                    // other on above
   std::vector<int> below_, above_;                 // the same in columns: [0, below) and from `above` on
   std::vector<End> top_, bottom_;                  // per column
-  std::vector<unsigned char> open_;                // per column: not hidden yet
+  std::vector<std::int32_t> open_;                 // per column: not 0 where not hidden yet
+  std::vector<Gate> gates_;                        // per column
+  Crossed near_, far_;                             // per column
+  Crossed line_[2];                                // per column line, at either slope of a row
 };
 
 }  // namespace visibility::ray_space

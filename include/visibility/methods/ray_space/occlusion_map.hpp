@@ -2,6 +2,8 @@
 
 #include "visibility/methods/ray_space/frame.hpp"
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 namespace visibility::ray_space {
@@ -17,14 +19,16 @@ class OcclusionMap {
 public:
   OcclusionMap(Frame const& frame, int components);
 
-  /// Adds a gate to a pixel: fuses it with those that are there where no gap is left, and keeps the largest.
-  void insert(int row, int column, Gate gate);
+  /// Adds gates to the pixels from a column on, one to each; one that hides nothing has beyond = infinity. Each is
+  /// fused with those that are there where no gap is left, and the largest are kept, the largest of all first.
+  void insert(int row, int from, std::span<Gate const> gates);
 
   /// The first of the pixels [from, to) of the row in which no single gate hides the extent; `to` if there is none.
   int first_visible(int row, int from, int to, Extent const& extent) const;
 
-  /// The same for all of the pixels: open[i - from] is 0 where one gate hides the extent. Returns whether any is not.
-  bool visible_pixels(int row, int from, int to, Extent const& extent, unsigned char* open) const;
+  /// The same for all of the pixels: open[i - from] is 0 where one gate hides the extent, and -1 elsewhere. Returns
+  /// whether any is not.
+  bool visible_pixels(int row, int from, int to, Extent const& extent, std::int32_t* open) const;
 
   int components() const { return components_; }
   /// A gate of a pixel; one that hides nothing has beyond = infinity.
@@ -45,11 +49,28 @@ private:
   {
     return const_cast<float*>(static_cast<OcclusionMap const*>(this)->column(row, component, f));
   }
-  void hide(int row, int from, int n, Extent const& extent, unsigned char* hidden) const;
+  /// Bounds, field by field, of the gates of a block of pixels of a row: a pyramid of one level above the pixels.
+  struct Block {
+    float beyond, top_slope, top_base, bottom_slope, bottom_base;
+  };
+  static constexpr int block_size = 16;
+  std::size_t block(int row, int column) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>((columns_ + block_size - 1) / block_size) +
+           static_cast<std::size_t>(column / block_size);
+  }
+  enum class Share { none, some, all };
+  template <class Visit>
+  void each_block(int row, int from, int to, Extent const& extent, Visit&& visit) const;
+  void insert(int row, int column, Gate gate);
+  void update_blocks(int row, int from, int to);
+  void hide(int row, int from, int n, Extent const& extent, std::int32_t* hidden) const;
   void set(int row, int column, int component, Gate const& gate);
 
   int columns_, components_;
   std::vector<float> data_;
+  std::vector<Block> least_;  // what hides less than the first gate of every pixel
+  std::vector<Block> most_;   // what hides more than any gate of any pixel
 };
 
 }  // namespace visibility::ray_space
