@@ -1,5 +1,8 @@
 #include "scenes.hpp"
 
+#include "visibility/evidence/ray_scene.hpp"
+#include "visibility/methods/sampling/method.hpp"
+
 #include <cmath>
 
 namespace visibility::bench::extended_projection {
@@ -11,12 +14,12 @@ Model::Model(std::string const& specification, bool inner_bodies)
 {
 }
 
-std::vector<ViewCell> street_cells(int count)
+std::vector<ViewCell> street_cells(int count, double bottom)
 {
   std::vector<ViewCell> cells;
   for (int i = 0; i < count; ++i) {
     double const at = 10 + 4.0 * (i / 2);
-    cells.emplace_back(i % 2 == 0 ? Box{{at, -5, 0.5}, {at + 4, 5, 2}} : Box{{-5, at, 0.5}, {5, at + 4, 2}});
+    cells.emplace_back(i % 2 == 0 ? Box{{at, -5, bottom}, {at + 4, 5, 2}} : Box{{-5, at, bottom}, {5, at + 4, 2}});
   }
   return cells;
 }
@@ -29,6 +32,15 @@ std::vector<ViewCell> crown_cells(int count, double side)
     cells.emplace_back(Box{{x, y, 5.5}, {x + side, y + side, 5.5 + side}});
   }
   return cells;
+}
+
+double mean_seen(Model const& model, std::vector<ViewCell> const& cells, std::uint64_t rays)
+{
+  RayScene const scene(*model.prepared);
+  Sampling const sampling({.rays = rays, .threads = 1});
+  double seen = 0;
+  for (auto const& cell : cells) seen += static_cast<double>(sampling(scene, cell).visible.size());
+  return seen / static_cast<double>(cells.size());
 }
 
 double fitted_exponent(std::vector<std::pair<double, double>> const& points)

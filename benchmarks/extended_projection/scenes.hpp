@@ -7,6 +7,7 @@
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,8 +26,8 @@ struct Model {
 };
 
 /// Cells of a street of the district about the origin, as wide as the street but for 2 m on either side, 4 m long, from
-/// 0.5 m to 2 m above the ground, along both streets that cross there.
-std::vector<ViewCell> street_cells(int count);
+/// `bottom` to 2 m above the ground, along both streets that cross there.
+std::vector<ViewCell> street_cells(int count, double bottom = 0.5);
 /// Cubes among the crowns of the forest, in the free square about the origin.
 std::vector<ViewCell> crown_cells(int count, double side);
 
@@ -59,6 +60,9 @@ Means measure(Model const& model, std::vector<ViewCell> const& cells, Method con
   m.hidden_polygons_percent = 100 * (1 - polygons / all);
   return m;
 }
+
+/// Objects that guided sampling sees from a cell with so many rays, in the mean: a lower bound of what is visible.
+double mean_seen(Model const& model, std::vector<ViewCell> const& cells, std::uint64_t rays);
 
 /// Least-squares exponent e of y ~ x^e. Requires: positive numbers.
 double fitted_exponent(std::vector<std::pair<double, double>> const& points);

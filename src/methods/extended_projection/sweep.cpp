@@ -116,10 +116,13 @@ private:
         return false;
       },
       [&](std::uint32_t object) {
+        // What reaches beside the cell is not seen as a whole in this direction.
+        Box const b = frame(scene_.object_bounds()[object]);
+        if (!(b.min.z > map.cell().near)) return;
         if (hides_object(object))
           hidden_.hide(object);
         else
-          is_left = is_left || frame(scene_.object_bounds()[object]).max.z > map.plane();
+          is_left = is_left || b.max.z > map.plane();
       });
     return is_left;
   }

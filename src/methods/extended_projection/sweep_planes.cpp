@@ -15,6 +15,13 @@ constexpr int default_planes = 15;
 /// the paper knows no bound, and sends the second plane out of the scene if the cell is small against its distance.
 constexpr double widest_ratio = 1.4;
 
+/// Of the first plane, in sizes of the cell: on nearer ones there is little Projection of anything, and planes are
+/// dear.
+constexpr double least_distance = 3;
+
+/// But at most in this share of the depth of the scene.
+constexpr double least_share = 0.25;
+
 /// The least distance of the far side of an occluder that reaches into its plane's raster; infinite if there is none.
 double first_distance(CellViews const& cell, std::span<Box const> important, double extent)
 {
@@ -40,7 +47,7 @@ std::vector<double> sweep_planes(CellViews const& cell, Box const& scene, std::s
   if (!(first < last)) return planes;
   double const size = std::max(cell.bounds.max.x - cell.bounds.min.x, cell.bounds.max.y - cell.bounds.min.y);
   int const count = options.planes > 0 ? options.planes : default_planes;
-  double d = std::max(first, size);
+  double d = std::max(first, std::min(least_distance * size, least_share * last));
   double const least_ratio = std::pow(last / d, 1.0 / count);
   while (static_cast<int>(planes.size()) < count && d < last) {
     planes.push_back(cell.near + d);
