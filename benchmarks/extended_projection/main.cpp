@@ -2,9 +2,9 @@
 //
 //   extended_projection_bench NAME... [--json FILE] [--smoke]
 //
-// NAME: resolution (figure 12), growth (figure 13), improved and city (section 7.1), reprojection (section 5.1),
-// forest (section 7.2), error, or all. Scenes are generated, seed 1. One core; times are processor time. Tables go to
-// standard output, JSON to FILE.
+// NAME: resolution (figure 12), growth (figure 13), improved, city and streets (section 7.1), reprojection
+// (section 5.1), forest (section 7.2), error, or all. Scenes are generated, seed 1. One core; times are processor time.
+// Tables go to standard output, JSON to FILE.
 
 #include "experiments.hpp"
 #include "run_experiments.hpp"
@@ -19,6 +19,7 @@ int main(int argc, char** argv)
                                                        {"improved", experiments::improved},
                                                        {"reprojection", experiments::reprojection},
                                                        {"city", experiments::city},
+                                                       {"streets", experiments::streets},
                                                        {"forest", experiments::forest},
                                                        {"error", experiments::error}};
   return run_experiments("extended_projection", all, argc, argv);

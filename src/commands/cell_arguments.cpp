@@ -63,6 +63,23 @@ Point3d parse_size(std::string const& text, Box const& region)
 
 }  // namespace
 
+PlanRegion parse_plan_region(std::string const& option, std::string const& text)
+{
+  constexpr char const* expected = "X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1";
+  auto const x = parse_numbers(option, text, expected);
+  if (x.size() != 4 || !(x[0] < x[2] && x[1] < x[3])) throw BadInput(option + " " + text + ": expected " + expected);
+  return {{x[0], x[1]}, {x[2], x[3]}};
+}
+
+Point3d parse_point(std::string const& option, std::string const& text)
+{
+  auto const x = parse_numbers(option, text, "X,Y,Z");
+  if (x.size() != 3) throw BadInput(option + " " + text + ": three numbers are needed (expected X,Y,Z)");
+  Point3d const p{x[0], x[1], x[2]};
+  if (!is_finite(p)) throw BadInput(option + " " + text + ": not finite (expected X,Y,Z)");
+  return p;
+}
+
 void CellArguments::add_to(CLI::App& command)
 {
   command.add_option("--cell", boxes, "view cell X0,Y0,Z0,X1,Y1,Z1 (metres); may be repeated")

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/drawing/plan_picture.hpp"
 #include "visibility/scene/view_cell.hpp"
 #include "visibility/viewspace/partition.hpp"
 
@@ -27,5 +28,10 @@ struct CellArguments {
   /// The divided region, if one was given. Throws BadInput.
   std::optional<Partition> partition() const;
 };
+
+/// The value X0,Y0,X1,Y1 of an option. Throws BadInput naming the option.
+PlanRegion parse_plan_region(std::string const& option, std::string const& text);
+/// A point X,Y,Z. Throws BadInput naming the option.
+Point3d parse_point(std::string const& option, std::string const& text);
 
 }  // namespace visibility::commands

@@ -5,6 +5,7 @@
 
 #include "visibility/evidence/check.hpp"
 #include "visibility/evidence/check_occludees.hpp"
+#include "visibility/scene/moving_objects.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/result_file.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -58,40 +59,73 @@ void print_report(Scene const& scene, CheckReport const& report, std::size_t mos
     std::cout << "members that no ray saw (information, no fault): " << report.unseen.size() << '\n';
 }
 
+/// What is looked for apart from what hides.
+struct Apart {
+  explicit Apart(Scene s) : scene(std::move(s)), prepared(scene), occludees(prepared) {}
+  Apart(Apart const&) = delete;
+  Apart& operator=(Apart const&) = delete;
+
+  Scene scene;
+  PreparedScene prepared;
+  Occludees occludees;
+};
+
+/// Hunts, prints what came out, and returns whether it is a fault.
+template <class... Targets>
+bool report_on(Arguments const& a, Result const& r, Scene const& looked_for, std::vector<std::uint32_t> const& members,
+               RayScene const& rays, Targets const&... targets)
+{
+  std::cout << "set     " << members.size() << " of " << looked_for.objects.size() << " objects, "
+            << (r.method.empty() ? "unnamed method" : r.method) << ", " << to_string(r.guarantee) << '\n';
+  auto const report = [&] {
+    Progress progress("rays", a.options.rays);
+    CheckOptions options = a.options;
+    options.progress = [&](std::uint64_t n) { progress.advance(n); };
+    return check(rays, targets..., cell_of(r), members, r.guarantee, options);
+  }();
+  print_report(looked_for, report, a.all ? SIZE_MAX : 10);
+  if (report.fault)
+    std::cout << "FAULT: a " << to_string(r.guarantee) << " set lacks visible objects\n";
+  else
+    std::cout << "no fault found\n";
+  return report.fault;
+}
+
 void run(Arguments const& a, int& exit_code)
 {
   auto const results = read_results(a.results);
   if (!a.scene.grounded && std::ranges::any_of(results, &Result::grounded))
     throw BadInput(a.results + ": the set is of the grounded scene: add --grounded");
-  std::string const apart = results.empty() ? "" : results.front().occludees;
-  if (std::ranges::any_of(results, [&](Result const& r) { return r.occludees != apart; }))
+  if (auto const r = std::ranges::find_if(results, [](Result const& x) { return !x.moving.empty(); });
+      a.scene.moving.empty() && r != results.end())
+    throw BadInput(a.results + ": moving objects were looked for: add --moving " + r->moving);
+  std::string const elsewhere = results.empty() ? "" : results.front().occludees;
+  if (std::ranges::any_of(results, [&](Result const& r) { return r.occludees != elsewhere; }))
     throw BadInput(a.results + ": results for different occludees; give them one by one");
   Scene const scene = a.scene.load();
-  PreparedScene const prepared(scene);
+  std::optional<std::pair<Scene, Scene>> parts;
+  if (!a.scene.moving.empty()) parts = split(scene);
+  Scene const& still = parts ? parts->first : scene;
+  PreparedScene const prepared(still);
   RayScene const rays(prepared);
-  std::optional<Scene> other;
-  std::optional<PreparedScene> targets;
-  std::optional<Occludees> occludees;
-  if (!apart.empty()) occludees.emplace(targets.emplace(other.emplace(a.scene.load_another(apart))));
-  Scene const& looked_for = other ? *other : scene;
+  std::optional<Apart> apart;
+  if (!elsewhere.empty())
+    apart.emplace(a.scene.load_another(elsewhere));
+  else if (parts)
+    apart.emplace(parts->second);
   for (auto const& r : results) {
-    auto const members = objects_of(r, looked_for);
-    std::cout << "set     " << members.size() << " of " << looked_for.objects.size() << " objects, "
-              << (r.method.empty() ? "unnamed method" : r.method) << ", " << to_string(r.guarantee) << '\n';
-    auto const report = [&] {
-      Progress progress("rays", a.options.rays);
-      CheckOptions options = a.options;
-      options.progress = [&](std::uint64_t n) { progress.advance(n); };
-      return occludees ? check(rays, *occludees, cell_of(r), members, r.guarantee, options)
-                       : check(rays, cell_of(r), members, r.guarantee, options);
-    }();
-    print_report(looked_for, report, a.all ? SIZE_MAX : 10);
-    if (report.fault) {
-      exit_code = 1;
-      std::cout << "FAULT: a " << to_string(r.guarantee) << " set lacks visible objects\n";
-    } else {
-      std::cout << "no fault found\n";
+    auto members = objects_of(r, elsewhere.empty() ? scene : apart->scene);
+    bool fault = false;
+    if (elsewhere.empty()) {
+      // What moves comes after the objects of the scene.
+      auto const first = static_cast<std::uint32_t>(still.objects.size());
+      auto const split_at = std::ranges::lower_bound(members, first);
+      fault = report_on(a, r, still, {members.begin(), split_at}, rays);
+      members.erase(members.begin(), split_at);
+      for (auto& m : members) m -= first;
     }
+    if (apart) fault = report_on(a, r, apart->scene, members, rays, apart->occludees) || fault;
+    if (fault) exit_code = 1;
   }
 }
 

@@ -11,7 +11,10 @@ namespace visibility::commands {
 void add_generate(CLI::App& app);
 void add_info(CLI::App& app);
 void add_pvs(CLI::App& app);
+void add_preprocess(CLI::App& app);
+void add_recover(CLI::App& app);
 void add_compare(CLI::App& app, int& exit_code);
+void add_draw(CLI::App& app);
 void add_check(CLI::App& app, int& exit_code);
 
 }  // namespace visibility::commands

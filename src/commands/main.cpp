@@ -36,7 +36,10 @@ int main(int argc, char** argv)
   visibility::commands::add_generate(app);
   visibility::commands::add_info(app);
   visibility::commands::add_pvs(app);
+  visibility::commands::add_preprocess(app);
+  visibility::commands::add_recover(app);
   visibility::commands::add_compare(app, exit_code);
+  visibility::commands::add_draw(app);
   visibility::commands::add_check(app, exit_code);
   try {
     app.parse(argc, argv);

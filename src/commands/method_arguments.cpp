@@ -106,6 +106,8 @@ void MethodArguments::add_to(CLI::App& command)
     "--method", method,
     "strong-occlusion (default), exact-2.5d, extended-projection, occlusion-sweep, ray-space or sampling");
   command.add_option("--arithmetic", arithmetic, "filtered (default), rational or double");
+  command.add_flag("--tally", tally,
+                   "strong-occlusion, exact-2.5d, filtered: count in the statistics which layer decided each sign");
   command.add_option("--granularity", granularity,
                      "strong-occlusion, ray-space: object, part, face (default) or triangle");
   command.add_option("--coarse-granularity", coarse_granularity,
@@ -167,6 +169,9 @@ void MethodArguments::validate() const
     }
   }
   if (method != "strong-occlusion" && !without.empty()) throw BadInput("--without applies to strong-occlusion only");
+  if (tally && ((method != "strong-occlusion" && method != "exact-2.5d") || arithmetic != "filtered"))
+    throw BadInput("--tally applies to the filtered arithmetic of strong-occlusion and exact-2.5d only");
+  if (tally && !explain.empty()) throw BadInput("--tally and --explain are two runs: give one of them");
   if (method != "exact-2.5d" && witnesses) throw BadInput("--witnesses applies to exact-2.5d only");
   if (method != "exact-2.5d" && !occludees.empty()) throw BadInput("--occludees applies to exact-2.5d only");
   if (method != "exact-2.5d" && !explain.empty()) throw BadInput("--explain applies to exact-2.5d only");

@@ -22,6 +22,7 @@ namespace visibility::commands {
 struct MethodArguments {
   std::string method = "strong-occlusion";
   std::string arithmetic = "filtered";
+  bool tally = false;  ///< count which layer of the filtered arithmetic decided each sign
   std::string granularity = "face";
   std::string coarse_granularity = "part";
   bool no_inner_bodies = false;

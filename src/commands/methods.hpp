@@ -9,7 +9,7 @@
 #include "visibility/scene/potentially_visible_set.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
-#include "visibility/viewspace/refine.hpp"
+#include "visibility/viewspace/preprocess.hpp"
 
 #include <functional>
 #include <optional>
@@ -34,15 +34,26 @@ public:
   /// finished cells of any level. Throws BadInput for a method that cannot refine.
   std::vector<CellSet> refine(Partition const& partition, std::function<void(std::uint64_t)> const& progress) const;
 
+  /// What the preprocess asks. Throws BadInput for a method or arithmetic whose sets may lack visible objects.
+  CellQuery query() const;
+
 private:
   MethodArguments arguments_;
   template <Arithmetic A>
   PotentiallyVisibleSet exact_25d(ViewCell const& cell) const;
   PotentiallyVisibleSet exact_25d(ViewCell const& cell) const;
+  void split_off_moving(Scene const& scene);
   void require_above_ground(ViewCell const& cell) const;
   PotentiallyVisibleSet strong_occlusion(ViewCell const& cell) const;
   PotentiallyVisibleSet one_cell(ViewCell const& cell) const;
 
+  /// For a method that takes moving objects apart from the others: both, and their positions in the scene.
+  struct Apart {
+    Scene still, moving;
+    std::vector<std::uint32_t> still_objects, moving_objects;
+  };
+
+  std::optional<Apart> apart_;
   std::optional<PreparedScene> scene_;
   std::optional<RayScene> rays_;
   std::optional<HeightField> height_field_;

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -44,6 +45,14 @@ double seconds_since(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Processor seconds of the calling thread.
+double thread_seconds()
+{
+  timespec t{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
+}
+
 /// `scene`: of the objects that were looked for.
 Result make_result(Arguments const& a, std::string const& source, Scene const& scene, ViewCell const& cell,
                    PotentiallyVisibleSet const& set)
@@ -52,6 +61,7 @@ Result make_result(Arguments const& a, std::string const& source, Scene const& s
   r.source = source;
   if (!a.method.occludees.empty()) r.occludees = scene.source;
   r.grounded = a.scene.grounded;
+  r.moving = a.scene.moving;
   r.objects = scene.objects.size();
   r.primitives = scene.primitive_count();
   r.cell.assign(cell.vertices().begin(), cell.vertices().end());
@@ -108,16 +118,19 @@ struct Answers {
   std::vector<ViewCell> cells;
   std::vector<CellSet> sets;
   std::vector<exact_25d::Explanation> explanations{};  ///< if they were asked for
+  std::vector<double> processor_seconds{};             ///< unless the sets were refined
 };
 
 Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells, bool explain)
 {
   Answers out{std::move(cells), {}};
   out.sets.resize(out.cells.size());
+  out.processor_seconds.resize(out.cells.size());
   if (explain) out.explanations.resize(out.cells.size());
   Progress progress(method.steps_per_cell() > 1 ? "rays" : "cells", out.cells.size() * method.steps_per_cell());
   oneapi::tbb::parallel_for(std::size_t{0}, out.cells.size(), [&](std::size_t i) {
     auto const start = std::chrono::steady_clock::now();
+    double const busy = thread_seconds();
     if (explain) {
       std::tie(out.sets[i].set, out.explanations[i]) = method.explain(out.cells[i]);
       progress.advance(1);
@@ -125,6 +138,7 @@ Answers one_by_one(MethodRunner const& method, std::vector<ViewCell> cells, bool
       out.sets[i].set = method(out.cells[i], [&](std::uint64_t n) { progress.advance(n); });
     }
     out.sets[i].seconds = seconds_since(start);
+    out.processor_seconds[i] = thread_seconds() - busy;
   });
   return out;
 }
@@ -149,6 +163,9 @@ Answers coarse_to_fine(MethodRunner const& method, Partition const& partition)
 void run(Arguments const& a)
 {
   a.method.validate();
+  if (!a.scene.moving.empty() && !(a.method.occludees.empty() && a.method.explain.empty()))
+    throw BadInput("--moving and " + std::string(a.method.explain.empty() ? "--occludees" : "--explain") +
+                   " do not go together: give one of them");
   auto const partition = a.cells.partition();
   auto cells = partition ? std::vector<ViewCell>{} : a.cells.load();
   auto start = std::chrono::steady_clock::now();
@@ -171,6 +188,7 @@ void run(Arguments const& a)
   for (std::size_t i = 0; i < answers.cells.size(); ++i) {
     results.push_back(make_result(a, scene.source, looked_for, answers.cells[i], answers.sets[i].set));
     results.back().seconds = {read, build, answers.sets[i].seconds};
+    if (!answers.processor_seconds.empty()) results.back().seconds.processor = answers.processor_seconds[i];
   }
   if (!a.method.explain.empty()) write_output(a.method.explain, to_json(scene, answers.cells, answers.explanations));
   if (a.output.empty()) {

@@ -26,12 +26,21 @@ void SceneArgument::add_to(CLI::App& command)
     ->transform(CLI::CheckedTransformer(units, CLI::ignore_case));
   command.add_flag("--grounded", grounded,
                    "everything below an upper surface is solid down to the lowest point of the scene");
+  command.add_option("--moving", moving,
+                     R"(JSON list of regions in which something moves, {"name","min","max","polygons"}; looked for, )"
+                     "but hiding nothing");
 }
 
-Scene SceneArgument::load() const
+Scene SceneArgument::load(std::vector<MovingObject> const& moving_objects) const
 {
   Scene loaded = load_another(scene);
-  return grounded ? visibility::grounded(loaded) : loaded;
+  if (grounded) loaded = visibility::grounded(loaded);
+  return with_moving_objects(std::move(loaded), moving_objects);
+}
+
+std::vector<MovingObject> SceneArgument::load_moving() const
+{
+  return moving.empty() ? std::vector<MovingObject>{} : read_moving_objects(moving);
 }
 
 Scene SceneArgument::load_another(std::string const& name) const

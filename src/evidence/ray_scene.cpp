@@ -80,6 +80,7 @@ struct RayScene::Parts {
     return {static_cast<float>((p.x - centre.x) / unit), static_cast<float>((p.y - centre.y) / unit),
             static_cast<float>((p.z - centre.z) / unit)};
   }
+  bool occludes(std::uint32_t object) const { return scene.objects[object].occludes; }
   void add_boxes();
   void add_balls();
   void add_solids();
@@ -137,7 +138,8 @@ void RayScene::Parts::add_boxes()
   if (scene.boxes.empty()) return;
   float_boxes.reserve(scene.boxes.size());
   for (auto const& b : scene.boxes) {
-    Vertex const lo = vertex(b.min), hi = vertex(b.max);
+    Vertex lo = vertex(b.min), hi = vertex(b.max);
+    if (!occludes(box_object[float_boxes.size()])) lo.x = far, hi.x = -far;  // an empty box is left out
     float_boxes.push_back({{lo.x, lo.y, lo.z}, {hi.x, hi.y, hi.z}});
   }
   RTCGeometry const g = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
@@ -159,7 +161,8 @@ void RayScene::Parts::add_balls()
   for (std::size_t i = 0; i < scene.balls.size(); ++i) {
     Vertex const c = vertex(scene.balls[i].centre);
     float* const v = out + 4 * i;
-    v[0] = c.x, v[1] = c.y, v[2] = c.z, v[3] = static_cast<float>(scene.balls[i].radius / unit);
+    v[0] = c.x, v[1] = c.y, v[2] = c.z;
+    v[3] = occludes(ball_object[i]) ? static_cast<float>(scene.balls[i].radius / unit) : -1;  // negative: left out
   }
   attach(g, balls);
 }
@@ -175,6 +178,7 @@ void RayScene::Parts::add_solids()
   auto const& bodies = prepared.bodies();
   for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
     Object const& o = scene.objects[id];
+    if (!o.occludes) continue;
     for (auto i = o.polyhedra.first; i < o.polyhedra.last; ++i) {
       auto const& p = scene.polyhedra[i];
       for (std::uint32_t k = 0; k < p.facets.size(); ++k) {
@@ -244,7 +248,10 @@ void RayScene::Parts::add_triangles()
     rtcSetNewGeometryBuffer(g, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, scene.triangles.size()));
   if (v == nullptr || index == nullptr) throw std::runtime_error("Embree: out of memory");
   for (std::size_t i = 0; i < scene.vertices.size(); ++i) v[i] = vertex(scene.vertices[i]);
-  for (std::size_t i = 0; i < scene.triangles.size(); ++i) std::ranges::copy(scene.triangles[i], index + 3 * i);
+  for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+    std::ranges::copy(scene.triangles[i], index + 3 * i);
+    if (!occludes(triangle_object[i])) index[3 * i] = RTC_INVALID_GEOMETRY_ID;  // no such vertex: left out
+  }
   attach(g, triangles);
 }
 

@@ -123,6 +123,7 @@ std::pair<PotentiallyVisibleSet, Explanation> Exact25d<A>::explain(HeightField c
 }
 
 template class Exact25d<Filtered>;
+template class Exact25d<TalliedFiltered>;
 template class Exact25d<Rational>;
 template class Exact25d<Double>;
 

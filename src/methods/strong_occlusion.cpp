@@ -3,6 +3,7 @@
 namespace visibility {
 
 template class StrongOcclusion<Filtered>;
+template class StrongOcclusion<TalliedFiltered>;
 template class StrongOcclusion<Rational>;
 template class StrongOcclusion<Double>;
 

@@ -14,12 +14,6 @@ using visibility::detail::to_json;
 Json to_json(Point2d const& p) { return {p.x, p.y}; }
 Json to_json(PortalSequence::Edge const& e) { return {to_json(e.left), to_json(e.right)}; }
 
-/// (p + q sqrt(d)) / r, rounded.
-double rounded(Position const& x)
-{
-  return (CGAL::to_double(x.p) + CGAL::to_double(x.q) * std::sqrt(CGAL::to_double(x.d))) / CGAL::to_double(x.r);
-}
-
 std::string fraction(RationalNumber const& x)
 {
   std::ostringstream out;
@@ -39,7 +33,7 @@ Json edge_json(Scene const& scene, VisibleEdge const& e)
 {
   Json parts = Json::array(), exact = Json::array();
   for (auto const& p : e.parts) {
-    parts.push_back({rounded(p.low), rounded(p.high)});
+    parts.push_back({approximate(p.low), approximate(p.high)});
     exact.push_back({exact_json(p.low), exact_json(p.high)});
   }
   return {{"object", scene.objects[e.object].name}, {"left", to_json(e.edge.left)}, {"right", to_json(e.edge.right)},

@@ -47,13 +47,15 @@ Json result_json(Result const& r)
   for (auto const& [key, value] : r.statistics) statistics[key] = statistic_json(value);
   Json out{{"format", format},
            {"scene", {{"source", r.source}, {"objects", r.objects}, {"primitives", r.primitives}}},
-           {"cell", cell_json(r)},
            {"method", {{"name", r.method}, {"arithmetic", r.arithmetic}, {"options", options}}},
            {"guarantee", to_string(r.guarantee)},
            {"visible", r.visible},
            {"statistics", statistics},
            {"seconds", {{"read", r.seconds.read}, {"build", r.seconds.build}, {"query", r.seconds.query}}}};
+  if (r.seconds.processor > 0) out["seconds"]["processor"] = r.seconds.processor;
+  if (r.cell_box || !r.cell.empty()) out["cell"] = cell_json(r);
   if (r.grounded) out["scene"]["grounded"] = true;
+  if (!r.moving.empty()) out["scene"]["moving"] = r.moving;
   if (!r.occludees.empty()) out["scene"]["occludees"] = r.occludees;
   if (r.witnesses.empty()) return out;
   Json witnesses = Json::array();
@@ -119,6 +121,7 @@ Result result_from_json(Json const& value, std::string const& where)
     r.source = text_or(scene, "source", "");
     r.grounded = scene.contains("grounded") && scene["grounded"] == true;
     r.occludees = text_or(scene, "occludees", "");
+    r.moving = text_or(scene, "moving", "");
     r.objects = count_or_zero(scene, "objects");
     r.primitives = count_or_zero(scene, "primitives");
   }
@@ -138,7 +141,7 @@ Result result_from_json(Json const& value, std::string const& where)
       auto const& s = value["seconds"];
       return s.contains(key) && s[key].is_number() ? s[key].get<double>() : 0.0;
     };
-    r.seconds = {get("read"), get("build"), get("query")};
+    r.seconds = {get("read"), get("build"), get("query"), get("processor")};
   }
   if (value.contains("witnesses")) {
     if (!value["witnesses"].is_array()) throw BadInput(where + ": \"witnesses\" is not a list");
@@ -159,14 +162,6 @@ ViewCell view_cell(Result const& r, std::string const& where)
   } catch (std::invalid_argument const& e) {
     throw BadInput(where + ": " + e.what());
   }
-}
-
-/// The elements of a list, or the value itself, each with its place in words.
-template <class Visit>
-void for_each_entry(Json const& value, std::string const& name, Visit&& visit)
-{
-  if (!value.is_array()) return visit(value, name);
-  for (std::size_t i = 0; i < value.size(); ++i) visit(value[i], name + ", entry " + std::to_string(i + 1));
 }
 
 }  // namespace
@@ -203,8 +198,9 @@ std::string to_json(std::vector<Result> const& results)
 std::vector<Result> results_from_json(std::string_view text, std::string const& name)
 {
   std::vector<Result> out;
-  for_each_entry(detail::parse_json(text, name), name,
-                 [&](Json const& value, std::string const& where) { out.push_back(result_from_json(value, where)); });
+  detail::for_each_entry(detail::parse_json(text, name), name, [&](Json const& value, std::string const& where) {
+    out.push_back(result_from_json(value, where));
+  });
   if (out.empty()) throw BadInput(name + ": no results");
   return out;
 }
@@ -217,7 +213,7 @@ std::vector<Result> read_results(std::filesystem::path const& file)
 std::vector<ViewCell> cells_from_json(std::string_view text, std::string const& name)
 {
   std::vector<ViewCell> out;
-  for_each_entry(detail::parse_json(text, name), name, [&](Json const& value, std::string const& where) {
+  detail::for_each_entry(detail::parse_json(text, name), name, [&](Json const& value, std::string const& where) {
     Result r;
     read_cell(value, r, where);
     out.push_back(view_cell(r, where));

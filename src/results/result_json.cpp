@@ -42,22 +42,6 @@ double coordinate(Json const& value, std::string const& where)
   return x;
 }
 
-RationalNumber rational(Json const& value, std::string const& where)
-{
-  if (!value.is_string()) return RationalNumber(coordinate(value, where));
-  std::string const text = value.get<std::string>();
-  std::size_t const slash = text.find('/');
-  auto const is_integer = [](std::string_view s) {
-    if (s.starts_with('-')) s.remove_prefix(1);
-    return !s.empty() && std::ranges::all_of(s, [](char c) { return c >= '0' && c <= '9'; });
-  };
-  bool const ok = slash != std::string::npos && is_integer(std::string_view(text).substr(0, slash)) &&
-                  is_integer(std::string_view(text).substr(slash + 1)) &&
-                  text.find_first_not_of("0-", slash + 1) != std::string::npos;
-  if (!ok) throw BadInput(where + ": expected a number or \"numerator/denominator\"");
-  return RationalNumber(text);
-}
-
 Json number(RationalNumber const& x)
 {
   double const rounded = CGAL::to_double(x);
@@ -73,6 +57,23 @@ void require_triple(Json const& value, std::string const& where)
 }
 
 }  // namespace
+
+RationalNumber rational_from_json(Json const& value, std::string const& where)
+{
+  if (!value.is_string()) return RationalNumber(coordinate(value, where));
+  std::string const text = value.get<std::string>();
+  std::size_t const slash = text.find('/');
+  auto const is_integer = [](std::string_view s) {
+    if (s.starts_with('-')) s.remove_prefix(1);
+    return !s.empty() && std::ranges::all_of(s, [](char c) { return c >= '0' && c <= '9'; });
+  };
+  if (is_integer(text)) return RationalNumber(text);
+  bool const ok = slash != std::string::npos && is_integer(std::string_view(text).substr(0, slash)) &&
+                  is_integer(std::string_view(text).substr(slash + 1)) &&
+                  text.find_first_not_of("0-", slash + 1) != std::string::npos;
+  if (!ok) throw BadInput(where + ": expected a number or \"numerator/denominator\"");
+  return RationalNumber(text);
+}
 
 Json parse_json(std::string_view text, std::string const& name)
 {
@@ -108,10 +109,17 @@ Point3d point_from_json(Json const& value, std::string const& where)
   return {coordinate(value[0], where), coordinate(value[1], where), coordinate(value[2], where)};
 }
 
+Point2d plan_point_from_json(Json const& value, std::string const& where)
+{
+  if (!value.is_array() || value.size() != 2) throw BadInput(where + ": expected [x, y]");
+  return {coordinate(value[0], where), coordinate(value[1], where)};
+}
+
 Point3q rational_point_from_json(Json const& value, std::string const& where)
 {
   require_triple(value, where);
-  return {rational(value[0], where), rational(value[1], where), rational(value[2], where)};
+  return {rational_from_json(value[0], where), rational_from_json(value[1], where),
+          rational_from_json(value[2], where)};
 }
 
 }  // namespace visibility::detail

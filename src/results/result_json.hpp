@@ -22,5 +22,16 @@ Json to_json(Point3d const& p);
 Json to_json(Point3q const& p);
 Point3d point_from_json(Json const& value, std::string const& where);
 Point3q rational_point_from_json(Json const& value, std::string const& where);
+Point2d plan_point_from_json(Json const& value, std::string const& where);
+/// A number, or a string "numerator/denominator" or "integer".
+RationalNumber rational_from_json(Json const& value, std::string const& where);
+
+/// The elements of a list, or the value itself, each with its place in words.
+template <class Visit>
+void for_each_entry(Json const& value, std::string const& name, Visit&& visit)
+{
+  if (!value.is_array()) return visit(value, name);
+  for (std::size_t i = 0; i < value.size(); ++i) visit(value[i], name + ", entry " + std::to_string(i + 1));
+}
 
 }  // namespace visibility::detail

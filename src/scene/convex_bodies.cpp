@@ -10,33 +10,36 @@ ConvexBodies::ConvexBodies(Scene const& scene) : scene_(&scene)
   for (std::uint32_t id = 0; id < scene.objects.size(); ++id) {
     Object const& o = scene.objects[id];
     first_body_.push_back(static_cast<std::uint32_t>(bodies_.size()));
-    for (auto i = o.boxes.first; i < o.boxes.last; ++i) add({id, i, Kind::box, true}, scene.boxes[i]);
+    for (auto i = o.boxes.first; i < o.boxes.last; ++i) add({id, i, Kind::box, o.occludes}, scene.boxes[i]);
     for (auto i = o.balls.first; i < o.balls.last; ++i)
-      add({id, i, Kind::ball, true}, visibility::bounding_box(scene.balls[i]));
+      add({id, i, Kind::ball, o.occludes}, visibility::bounding_box(scene.balls[i]));
     for (auto i = o.prisms.first; i < o.prisms.last; ++i) {
       auto pieces = convex_partition(scene.prisms[i]);
       if (pieces.empty()) {
         ++invalid_footprints_;
         stand_ins_.push_back(visibility::bounding_box(scene.prisms[i]));
-        add({id, static_cast<std::uint32_t>(stand_ins_.size() - 1), Kind::box, false}, stand_ins_.back());
+        add({id, static_cast<std::uint32_t>(scene.boxes.size() + stand_ins_.size() - 1), Kind::box, false},
+            stand_ins_.back());
       }
       for (auto& piece : pieces) {
         Box const bounds = visibility::bounding_box(piece);
         prisms_.push_back(std::move(piece));
-        add({id, static_cast<std::uint32_t>(prisms_.size() - 1), Kind::prism, true}, bounds);
+        add({id, static_cast<std::uint32_t>(prisms_.size() - 1), Kind::prism, o.occludes}, bounds);
       }
     }
     for (auto i = o.polyhedra.first; i < o.polyhedra.last; ++i)
-      add({id, i, Kind::polyhedron, true}, visibility::bounding_box(scene.polyhedra[i]));
+      add({id, i, Kind::polyhedron, o.occludes}, visibility::bounding_box(scene.polyhedra[i]));
     if (o.triangles.size() == 0) continue;
     auto pieces = detail::mesh_pieces(scene, o.triangles);
     for (auto& piece : pieces.convex) {
       Box const bounds = visibility::bounding_box(piece);
       mesh_pieces_.push_back(std::move(piece));
-      add({id, static_cast<std::uint32_t>(scene.polyhedra.size() + mesh_pieces_.size() - 1), Kind::polyhedron, true},
+      add({id, static_cast<std::uint32_t>(scene.polyhedra.size() + mesh_pieces_.size() - 1), Kind::polyhedron,
+           o.occludes},
           bounds);
     }
-    for (auto const i : pieces.loose) add({id, i, Kind::triangle, true}, visibility::bounding_box(scene.triangle(i)));
+    for (auto const i : pieces.loose)
+      add({id, i, Kind::triangle, o.occludes}, visibility::bounding_box(scene.triangle(i)));
   }
   first_body_.push_back(static_cast<std::uint32_t>(bodies_.size()));
 }

@@ -29,6 +29,7 @@ public:
   {
     for (auto const& n : scene_.notes) builder_.note(n);
     for (auto const& o : scene_.objects) {
+      if (!o.occludes) throw BadInput("object '" + o.name + "' hides nothing: ground the scene before it comes in");
       builder_.begin_object(o.name);
       for (auto i = o.boxes.first; i < o.boxes.last; ++i) add(scene_.boxes[i]);
       for (auto i = o.balls.first; i < o.balls.last; ++i) builder_.add(scene_.balls[i]);

@@ -58,6 +58,9 @@ HeightField::HeightField(Scene const& scene) : scene_(&scene)
     throw BadInput("object '" + it->name + "' is a ball, which has no top edges: exact-2.5d takes boxes, prisms, " +
                    "convex solids and triangles");
   }
+  for (auto const& o : scene.objects)
+    if (!o.occludes)
+      throw BadInput("object '" + o.name + "' hides nothing, and a height field is what hides: give it as an occludee");
   ground_ = bounding_box(scene).min.z;
   height_field::ObjectColumns builder(scene);
   std::vector<Box> edge_bounds, column_bounds;

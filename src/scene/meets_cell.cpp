@@ -10,15 +10,6 @@ namespace {
 
 using Bodies = ConvexBodies;
 
-bool contains(ViewCell const& cell, Point3d const& p)
-{
-  auto const& shape = cell.shape();
-  return std::ranges::none_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
-    return is_positive(orient3d<Filtered>(shape.vertices[f.vertices[0]], shape.vertices[f.vertices[1]],
-                                          shape.vertices[f.vertices[2]], p));
-  });
-}
-
 bool edge_meets(ViewCell const& cell, Point3d const& a, Point3d const& b)
 {
   return a == b ? contains(cell, a) : segment_meets<Filtered>(cell.shape(), a, b);
@@ -133,7 +124,7 @@ bool meets_cell(PreparedScene const& scene, ViewCell const& cell, std::uint32_t 
   auto const& bodies = scene.bodies();
   bool unsound = false;
   for (auto const& body : bodies.bodies_of(object)) {
-    if (!body.occludes)
+    if (bodies.is_stand_in(body))
       unsound = true;
     else if (body_meets_cell(cell, bodies, body))
       return true;

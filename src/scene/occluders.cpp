@@ -17,7 +17,7 @@ Occluders::Occluders(ConvexBodies const& bodies, InnerBodyOptions const& options
       bounds_.push_back(bodies.bounds()[b]);
     }
     Object const& object = scene.objects[o];
-    if (bodies.bodies_of(o).size() < 2) continue;  // convex already
+    if (!object.occludes || bodies.bodies_of(o).size() < 2) continue;  // hides nothing, or convex already
     // All triangles, those of convex solids too: storeys that are solids of their own may make a tower.
     triangles.resize(object.triangles.size());
     std::iota(triangles.begin(), triangles.end(), object.triangles.first);

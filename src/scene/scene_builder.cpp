@@ -74,6 +74,12 @@ void SceneBuilder::begin_object(std::string_view name)
   scene_.objects.push_back(std::move(o));
 }
 
+void SceneBuilder::begin_occludee(std::string_view name)
+{
+  begin_object(name);
+  scene_.objects.back().occludes = false;
+}
+
 void SceneBuilder::add(Box const& box)
 {
   auto& o = current();

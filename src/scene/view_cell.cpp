@@ -54,6 +54,15 @@ bool in_interior(ViewCell const& cell, Point3d const& p)
 
 bool in_interior(ViewCell const& cell, Point3q const& p) { return strictly_inside<Rational>(cell.shape(), p); }
 
+bool contains(ViewCell const& cell, Point3d const& p)
+{
+  auto const& shape = cell.shape();
+  return contains(cell.bounds(), p) && std::ranges::none_of(shape.facets, [&](ConvexPolyhedron::Facet const& f) {
+           auto const& v = f.vertices;
+           return is_positive(orient3d<Filtered>(shape.vertices[v[0]], shape.vertices[v[1]], shape.vertices[v[2]], p));
+         });
+}
+
 bool certainly_disjoint(ViewCell const& cell, Box const& box)
 {
   if (!meet(cell.bounds(), box)) return true;

@@ -20,6 +20,8 @@ SceneFileKind scene_file_kind(std::filesystem::path const& path)
 
 void write_scene(std::ostream& out, Scene const& scene, SceneFileKind kind)
 {
+  for (auto const& o : scene.objects)
+    if (!o.occludes) throw BadInput("object '" + o.name + "' hides nothing, which scene files cannot say");
   switch (kind) {
   case SceneFileKind::native: return writers::write_native(out, scene);
   case SceneFileKind::obj: return writers::write_obj(out, scene);

@@ -126,3 +126,25 @@ TEST_CASE("command line: --grounded is recorded, and check asks for it", "[comma
   REQUIRE(info.exit_code == 0);
   REQUIRE(info.out.find("solid down to height 0") != std::string::npos);
 }
+
+TEST_CASE("command line: --tally says which layer decided, and changes nothing else", "[commands]")
+{
+  Folder const folder;
+  auto const plain = folder / "plain.json", tallied = folder / "tallied.json";
+  for (std::string const method : {"strong-occlusion", "exact-2.5d"}) {
+    CAPTURE(method);
+    std::string const pvs = "pvs gen:city,n=100 --cell=-30,-30,0,30,30,10 --method " + method + " -o ";
+    REQUIRE(visibility_command(folder, pvs + plain).exit_code == 0);
+    REQUIRE(visibility_command(folder, pvs + tallied + " --tally").exit_code == 0);
+    auto const without = read_results(plain).front();
+    auto with = read_results(tallied).front();
+    REQUIRE(with.visible == without.visible);
+    REQUIRE(with.statistics.at("signs_filter") > 0);
+    for (auto const* layer : {"signs_filter", "signs_interval", "signs_exact"})
+      REQUIRE(with.statistics.erase(layer) == 1);
+    REQUIRE(with.statistics == without.statistics);
+    REQUIRE(visibility_command(folder, pvs + tallied + " --tally --arithmetic rational").exit_code == 2);
+  }
+  REQUIRE(visibility_command(folder, "pvs gen:city,n=100 --cell=-3,-3,0,3,3,1 --method ray-space --tally").exit_code ==
+          2);
+}

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "visibility/kernel/number_types.hpp"
 #include "visibility/kernel/sign.hpp"
 
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -40,6 +42,12 @@ struct QuadraticNumber {
   }
   static QuadraticNumber integer(int n) { return {NT(n), NT(0), NT(0), NT(1)}; }
 };
+
+/// The nearest double but for a few roundings: for people to look at.
+inline double approximate(QuadraticNumber<RationalNumber> const& x)
+{
+  return (CGAL::to_double(x.p) + CGAL::to_double(x.q) * std::sqrt(CGAL::to_double(x.d))) / CGAL::to_double(x.r);
+}
 
 template <class NT>
 Sign compare(QuadraticNumber<NT> const& a, QuadraticNumber<NT> const& b)

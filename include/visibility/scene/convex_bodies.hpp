@@ -21,9 +21,9 @@ public:
   enum class Kind : std::uint8_t { box, ball, prism, polyhedron, triangle };
   struct Body {
     std::uint32_t object;
-    std::uint32_t index;  ///< into the array of its kind: the scene's boxes, balls, triangles; own prisms, polyhedra
+    std::uint32_t index;  ///< into the array of its kind: the scene's boxes, balls, triangles, polyhedra; or our own
     Kind kind;
-    bool occludes;  ///< false for the bounding box that stands for a prism with an invalid footprint
+    bool occludes;  ///< false for bodies of objects that do not occlude, and for stand-ins
   };
 
   /// Keeps a reference to the scene, which must outlive this.
@@ -38,7 +38,12 @@ public:
   std::span<Box const> bounds_of(std::uint32_t object) const;
   std::size_t invalid_footprints() const { return invalid_footprints_; }  ///< occludees only
 
-  Box const& box(Body const& b) const { return b.occludes ? scene_->boxes[b.index] : stand_ins_[b.index]; }
+  /// Whether the body is the bounding box that stands for a prism with an invalid footprint; it does not occlude.
+  bool is_stand_in(Body const& b) const { return b.kind == Kind::box && b.index >= scene_->boxes.size(); }
+  Box const& box(Body const& b) const
+  {
+    return is_stand_in(b) ? stand_ins_[b.index - scene_->boxes.size()] : scene_->boxes[b.index];
+  }
   Ball const& ball(Body const& b) const { return scene_->balls[b.index]; }
   ConvexPrism const& prism(Body const& b) const { return prisms_[b.index]; }
   ConvexPolyhedron const& polyhedron(Body const& b) const

@@ -58,8 +58,8 @@ bool any_prism_face(ViewCell const& cell, ConvexPrism const& prism, Visit&& visi
 
 }  // namespace detail
 
-/// Whether the faces of a body are polygons. A ball, and a prism whose footprint is none, are looked at through their
-/// bounding box.
+/// Whether the body is looked at through its faces, polygons. A ball, a prism whose footprint is none and whatever does
+/// not occlude are looked at as a whole.
 inline bool has_polygons(ConvexBodies::Body const& body)
 {
   return body.kind != ConvexBodies::Kind::ball && body.occludes;
@@ -68,16 +68,14 @@ inline bool has_polygons(ConvexBodies::Body const& body)
 /// Calls visit(vertices) for the faces of a body, each a convex polygon given by its vertices in order around it (one
 /// way or the other), until visit returns true; returns whether it did. Left out are the faces of solids that have the
 /// whole cell behind their plane: the body itself hides them, since a sight line from the cell's interior to the face's
-/// relative interior runs through the body before it arrives. A ball is visited as its bounding box, as is the stand-in
-/// for an invalid prism.
+/// relative interior runs through the body before it arrives. A body that does not occlude hides none of its faces: it
+/// is visited once, as points whose hull contains it; so is a ball, as its bounding box.
 template <class Visit>
 bool any_face_towards(ViewCell const& cell, ConvexBodies const& scene, ConvexBodies::Body const& body, Visit&& visit)
 {
   using Kind = ConvexBodies::Kind;
-  switch (body.kind) {
-  case Kind::box:
-    if (body.occludes) return detail::any_box_face(cell, scene.box(body), visit);
-    break;
+  switch (body.occludes ? body.kind : Kind::ball) {
+  case Kind::box: return detail::any_box_face(cell, scene.box(body), visit);
   case Kind::prism: return detail::any_prism_face(cell, scene.prism(body), visit);
   case Kind::polyhedron: {
     auto const& p = scene.polyhedron(body);

@@ -48,7 +48,8 @@ public:
     std::uint32_t column;
   };
 
-  /// Throws BadInput for a scene with balls, which have no top edges.
+  /// Throws BadInput for a scene with balls, which have no top edges, or with objects that do not occlude (split()
+  /// takes them out).
   explicit HeightField(Scene const& scene);
 
   Scene const& scene() const { return *scene_; }

@@ -15,6 +15,7 @@ struct IndexRange {
 struct Object {
   std::string name;
   IndexRange boxes, balls, prisms, polyhedra, triangles;
+  bool occludes = true;  ///< false: only looked for, such as the region where something may move; hides nothing
 };
 
 }  // namespace visibility

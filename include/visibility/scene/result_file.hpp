@@ -23,12 +23,14 @@ struct NamedWitness {
 struct Result {
   struct Seconds {
     double read = 0, build = 0, query = 0;
+    double processor = 0;  ///< of the thread that answered the query, however busy the machine is; 0: not measured
   };
   std::string source;                       ///< the scene as the user named it
   bool grounded = false;                    ///< the set is that of grounded(scene)
+  std::string moving;                       ///< file of moving objects that were looked for, too; empty: none
   std::string occludees;                    ///< another scene that the objects are of; empty: the scene itself
   std::size_t objects = 0, primitives = 0;  ///< of the scene that was looked for
-  std::vector<Point3d> cell;                ///< vertices; of a box its eight corners
+  std::vector<Point3d> cell;                ///< vertices; of a box its eight corners; empty: of no one cell
   std::optional<Box> cell_box;              ///< set iff the cell was given as a box
   std::string method, arithmetic;
   std::map<std::string, std::string> options;  ///< as text; numbers are written as JSON numbers

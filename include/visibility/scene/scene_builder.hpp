@@ -24,6 +24,8 @@ public:
   /// Starts an object. A name already taken gets "#2", "#3", ... appended; bytes that are not UTF-8 and control
   /// characters become '?'. Objects that receive no primitive are dropped by `finish` and counted in a note.
   void begin_object(std::string_view name);
+  /// The same for an object that is only looked for: it hides nothing.
+  void begin_occludee(std::string_view name);
 
   void add(Box const& box);
   void add(Ball const& ball);

@@ -31,6 +31,9 @@ private:
 bool in_interior(ViewCell const& cell, Point3d const& point);
 bool in_interior(ViewCell const& cell, Point3q const& point);
 
+/// Whether the point lies in the closed cell. Exact.
+bool contains(ViewCell const& cell, Point3d const& point);
+
 /// Whether a facet plane of the cell has the whole box strictly outside (exact): then they share no point.
 /// `false` says nothing, so whatever may meet the cell is treated as meeting it.
 bool certainly_disjoint(ViewCell const& cell, Box const& box);

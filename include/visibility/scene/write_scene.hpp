@@ -19,7 +19,7 @@ enum class SceneFileKind {
 SceneFileKind scene_file_kind(std::filesystem::path const& path);
 
 /// Numbers are the shortest decimals that read back as the same doubles. Throws BadInput naming the object if the
-/// format cannot hold it.
+/// format cannot hold it; none holds objects that do not occlude.
 void write_scene(std::ostream& out, Scene const& scene, SceneFileKind kind);
 
 /// Writes to a temporary file in the same folder and renames it: no half-written file remains.

@@ -24,13 +24,13 @@ constexpr int default_planes = 8;
 /// The maps of one cell, filled from occluders of the largest solid angle first.
 class Maps {
 public:
-  Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options)
+  Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
     : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell),
       added_(scene.occluders().size())
   {
     cells_.reserve(frames.size());
     for (auto const& f : frames) cells_.emplace_back(f, cell);
-    auto const selected = select_occluders(scene, cell, options.occluders);
+    auto const selected = select_occluders(scene, cell, options.occluders, among);
     for (auto const& c : cells_) place_planes(c, selected, options);
     for (auto const o : selected) add(o);
     refresh();
@@ -96,21 +96,21 @@ private:
   int since_refresh_ = 0;
 };
 
-}  // namespace
-
-PotentiallyVisibleSet ExtendedProjection::operator()(PreparedScene const& scene, ViewCell const& cell) const
+/// Of all objects, or of some; no others occlude.
+PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& cell, Options const& options,
+                                  ObjectSelection const* among)
 {
-  Maps maps(scene, cell, options_);
-  OccludeeSearch search(scene, cell, maps.maps(), options_.improved);
+  Maps maps(scene, cell, options, among);
+  OccludeeSearch search(scene, cell, maps.maps(), options.improved);
   PotentiallyVisibleSet set;
   set.guarantee = Guarantee::conservative;
-  if (options_.more_occluders) {
+  if (options.more_occluders) {
     auto const before = maps.added();
-    set.visible = search.visible_objects([&](std::uint32_t o) { maps.add_object(o); });
+    set.visible = search.visible_objects([&](std::uint32_t o) { maps.add_object(o); }, among);
     maps.refresh();
     if (maps.added() > before) std::erase_if(set.visible, [&](std::uint32_t o) { return search.hides_object(o); });
   } else {
-    set.visible = search.visible_objects([](std::uint32_t) {});
+    set.visible = search.visible_objects([](std::uint32_t) {}, among);
   }
   set.statistics = {{"planes", double(maps.maps().size())},
                     {"occluders", double(maps.added())},
@@ -118,6 +118,20 @@ PotentiallyVisibleSet ExtendedProjection::operator()(PreparedScene const& scene,
                     {"boxes_tested", double(search.counts().boxes_tested)},
                     {"groups_hidden", double(search.counts().groups_hidden)}};
   return set;
+}
+
+}  // namespace
+
+PotentiallyVisibleSet ExtendedProjection::operator()(PreparedScene const& scene, ViewCell const& cell) const
+{
+  return visible_set(scene, cell, options_, nullptr);
+}
+
+PotentiallyVisibleSet ExtendedProjection::operator()(PreparedScene const& scene, ViewCell const& cell,
+                                                     std::span<std::uint32_t const> candidates) const
+{
+  ObjectSelection const among(scene.object_hierarchy(), candidates);
+  return visible_set(scene, cell, options_, &among);
 }
 
 }  // namespace visibility

@@ -22,18 +22,20 @@ bool OccludeeSearch::hides_object(std::uint32_t object)
   return parts.size() > 1 && std::ranges::all_of(parts, [&](Box const& b) { return hides(b); });
 }
 
-std::vector<std::uint32_t> OccludeeSearch::visible_objects(std::function<void(std::uint32_t)> const& visible)
+std::vector<std::uint32_t> OccludeeSearch::visible_objects(std::function<void(std::uint32_t)> const& visible,
+                                                           ObjectSelection const* among)
 {
   std::vector<std::uint32_t> out;
   scene_.object_hierarchy().front_to_back(
     cell_.bounds(),
-    [&](std::uint32_t, Box const& box) {
+    [&](std::uint32_t node, Box const& box) {
+      if (among != nullptr && !among->any_below(node)) return false;
       if (meet(box, cell_.bounds()) || !hides(box)) return true;
       ++counts_.groups_hidden;
       return false;
     },
     [&](std::uint32_t object) {
-      if (hides_object(object)) return;
+      if ((among != nullptr && !among->holds(object)) || hides_object(object)) return;
       out.push_back(object);
       visible(object);
     });

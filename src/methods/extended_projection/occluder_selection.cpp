@@ -59,7 +59,8 @@ IndexRange worthwhile_occluders(PreparedScene const& scene, ViewCell const& cell
   return {is_mesh ? inner : first, std::min(last, inner + most_inner_bodies)};
 }
 
-std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell const& cell, std::size_t count)
+std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell const& cell, std::size_t count,
+                                            ObjectSelection const* among)
 {
   auto const& hierarchy = scene.object_hierarchy();
   Box const eye = middle_of(cell);
@@ -72,12 +73,14 @@ std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell
     switch (top.kind) {
     case Entry::occluder: out.push_back(top.index); break;
     case Entry::object: {
+      if (among != nullptr && !among->holds(top.index)) break;
       auto const range = worthwhile_occluders(scene, cell, top.index);
       for (auto i = range.first; i < range.last; ++i)
         if (blocks(scene, cell, i)) queue.push({importance(scene.occluders().bounds()[i], eye), i, Entry::occluder});
       break;
     }
     case Entry::node: {
+      if (among != nullptr && !among->any_below(top.index)) break;
       auto const& node = hierarchy.nodes()[top.index];
       if (node.is_leaf()) {
         for (auto i = node.first; i < node.first + node.count; ++i)

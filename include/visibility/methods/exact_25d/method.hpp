@@ -43,6 +43,7 @@ private:
 };
 
 extern template class Exact25d<Filtered>;
+extern template class Exact25d<TalliedFiltered>;
 extern template class Exact25d<Rational>;
 extern template class Exact25d<Double>;
 

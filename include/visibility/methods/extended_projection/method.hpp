@@ -5,6 +5,8 @@
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
 
+#include <cstdint>
+#include <span>
 #include <utility>
 
 namespace visibility {
@@ -25,6 +27,10 @@ public:
   /// The potentially visible set: `conservative`. Statistics: planes, occluders (projected), pixels (written),
   /// boxes_tested, groups_hidden.
   PotentiallyVisibleSet operator()(PreparedScene const& scene, ViewCell const& cell) const;
+  /// Those of the candidates that may be visible, ascending; candidates alone occlude. Where the others are hidden from
+  /// a cell around this one, the set is conservative (proofs/preprocess.md, "Candidates"). Requires: ascending objects.
+  PotentiallyVisibleSet operator()(PreparedScene const& scene, ViewCell const& cell,
+                                   std::span<std::uint32_t const> candidates) const;
 
 private:
   Options options_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/methods/extended_projection/projection_map.hpp"
+#include "visibility/scene/object_selection.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 
 #include <cstdint>
@@ -28,8 +29,10 @@ public:
   bool hides(Box const& box);
   /// Whether maps hide the object, or each of its bodies.
   bool hides_object(std::uint32_t object);
-  /// The objects that are not hidden, ascending; `visible(object)` is called as they are found, near to far.
-  std::vector<std::uint32_t> visible_objects(std::function<void(std::uint32_t)> const& visible);
+  /// The objects that are not hidden, ascending; `visible(object)` is called as they are found, near to far. Only those
+  /// of `among`, if it is given.
+  std::vector<std::uint32_t> visible_objects(std::function<void(std::uint32_t)> const& visible,
+                                             ObjectSelection const* among = nullptr);
 
   Counts const& counts() const { return counts_; }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "visibility/scene/object_selection.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 #include "visibility/scene/view_cell.hpp"
 
@@ -20,7 +21,8 @@ bool blocks(PreparedScene const& scene, ViewCell const& cell, std::uint32_t occl
 
 /// The occluders of the largest solid angle as seen from the middle of the cell, the largest first: about, by surfaces
 /// of boxes and squared distances, best first through the hierarchy [Durand00, 6.1]. Fewer if the scene has fewer.
-/// A choice. Only worthwhile ones, which block from the cell.
-std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell const& cell, std::size_t count);
+/// A choice. Only worthwhile ones, which block from the cell; only those of `among`, if it is given.
+std::vector<std::uint32_t> select_occluders(PreparedScene const& scene, ViewCell const& cell, std::size_t count,
+                                            ObjectSelection const* among = nullptr);
 
 }  // namespace visibility::extended_projection

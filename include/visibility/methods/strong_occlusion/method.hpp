@@ -90,6 +90,7 @@ auto StrongOcclusion<A>::refine(Remainder const& remainder, ViewCell const& cell
 }
 
 extern template class StrongOcclusion<Filtered>;
+extern template class StrongOcclusion<TalliedFiltered>;
 extern template class StrongOcclusion<Rational>;
 extern template class StrongOcclusion<Double>;
 
