@@ -9,11 +9,6 @@ namespace visibility::detail {
 
 namespace {
 
-struct PixelCoordinate {
-  double value;
-  bool is_exact;
-};
-
 /// (x - origin) / step, rounded, and whether it is exact: the difference by its error term, the quotient by its
 /// residue.
 PixelCoordinate in_pixels(double x, double origin, double step)
@@ -59,18 +54,18 @@ bool FixedPoints::assign(std::span<Point2d const> input, Point2d const& origin, 
   all.clear();
   double reach = std::max(error.x / step.x, error.y / step.y);
   if (!(reach < 0x1p46)) return false;
+  pixels.clear();
   for (auto const& p : input) {
-    double const u = std::fabs((p.x - origin.x) / step.x), v = std::fabs((p.y - origin.y) / step.y);
-    if (!(u < 0x1p46 && v < 0x1p46)) return false;
-    reach = std::max({reach, u, v});
+    auto const& [u, v] = pixels.emplace_back(in_pixels(p.x, origin.x, step.x), in_pixels(p.y, origin.y, step.y));
+    if (!(std::fabs(u.value) < 0x1p46 && std::fabs(v.value) < 0x1p46)) return false;
+    reach = std::max({reach, std::fabs(u.value), std::fabs(v.value)});
   }
 
   int exponent = 0;
   std::frexp(reach, &exponent);
   fraction = std::min(max_fraction, coordinate_bits - exponent);
   double const scale = std::ldexp(1.0, fraction);
-  for (auto const& p : input) {
-    auto const u = in_pixels(p.x, origin.x, step.x), v = in_pixels(p.y, origin.y, step.y);
+  for (auto const& [u, v] : pixels) {
     double const fixed_u = nearest_integer(u.value * scale), fixed_v = nearest_integer(v.value * scale);
     points.push_back({static_cast<std::int64_t>(fixed_u), static_cast<std::int64_t>(fixed_v),
                       static_cast<std::int8_t>(!u.is_exact || fixed_u != u.value * scale),

@@ -8,6 +8,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace visibility::detail {
 
@@ -106,9 +107,13 @@ std::optional<Fitted> fit(MeshShell const& shell, Polygon const& polygon, double
     auto const extent = free_extent(shell, body.footprint, z, slack);
     if (!extent) continue;
     double const margin = shrinks[i] * (extent->top - extent->bottom);
-    body.bottom = extent->bottom + margin;
-    body.top = extent->top - margin;
-    if (body.bottom < body.top && is_certified(shell, body)) return Fitted{std::move(body), shrinks[i]};
+    // An end that stays on a level facet, above all the foot on the ground, is worth a try.
+    for (auto const& [below, above] : {std::pair{0.0, 0.0}, {0.0, margin}, {margin, margin}}) {
+      body.bottom = extent->bottom + below;
+      body.top = extent->top - above;
+      if (body.bottom < body.top && is_certified(shell, body)) return Fitted{std::move(body), shrinks[i]};
+      if (margin == 0) break;
+    }
   }
   return {};
 }

@@ -2,6 +2,8 @@
 
 #include "visibility/methods/extended_projection/method.hpp"
 #include "visibility/methods/extended_projection/projection_map.hpp"
+#include "visibility/methods/extended_projection/sweep.hpp"
+#include "visibility/scene/generators.hpp"
 #include "visibility/scene/scene_builder.hpp"
 
 #include <set>
@@ -130,6 +132,20 @@ TEST_CASE("extended projection: a cell on the ground and houses on the ground", 
     for (double const z : {0.0, 2.0}) corners.push_back({p.x, p.y, z});
   REQUIRE(visible_names(scene_of({{"house", {{10, -20, 0}, {20, 20, 12}}}, {"shed", {{25, -3, 0}, {28, 3, 4}}}}),
                         ViewCell::hull(corners)) == Names{"house"});
+}
+
+TEST_CASE("extended projection: cells on the ground do not see under meshes", "[methods]")
+{
+  Scene const scene = generate("district,copies=2");
+  PreparedScene const prepared(scene, InnerBodyOptions{});
+  ViewCell const above(Box{{10, -5, 0.5}, {14, 5, 2}}), on_ground(Box{{10, -5, 0}, {14, 5, 2}});
+  auto const hidden = [&](auto const& method, ViewCell const& cell) {
+    return scene.objects.size() - method(prepared, cell).visible.size();
+  };
+  REQUIRE(hidden(OcclusionSweep(), above) > 100);
+  REQUIRE(hidden(OcclusionSweep(), on_ground) + 5 > hidden(OcclusionSweep(), above));
+  REQUIRE(hidden(ExtendedProjection(), above) > 50);
+  REQUIRE(hidden(ExtendedProjection(), on_ground) + 5 > hidden(ExtendedProjection(), above));
 }
 
 TEST_CASE("extended projection: of an occluder across the plane the vertices of the cell do not suffice",

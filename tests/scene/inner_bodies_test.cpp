@@ -3,6 +3,8 @@
 #include "inner_body_checks.hpp"
 #include "support/trials.hpp"
 
+#include "visibility/scene/generators.hpp"
+
 #include <limits>
 #include <numeric>
 
@@ -116,6 +118,33 @@ TEST_CASE("inner bodies: a house with a roof is one body, up to its noise", "[sc
     auto const bodies = bodies_of(house);
     CHECK(largest_volume(bodies) > (noise == 0 ? 0.999 : 0.95) * whole);
   }
+}
+
+TEST_CASE("inner bodies: what stands on a level foot reaches it, exactly, and stands on it with all its points",
+          "[scene][law]")
+{
+  Random random(82);
+  int roofs = 0;
+  for (int i = 0; i < trials(12); ++i) {
+    CAPTURE(i);
+    auto const specification = "district,n=1,seed=" + std::to_string(i) + ",rotation=" + std::to_string(i % 3 * 17);
+    Scene const scene = generate(specification);
+    Triangles mesh;
+    for (std::size_t t = 0; t < scene.triangles.size(); ++t) mesh.push_back(scene.triangle(t));
+    auto const bodies = bodies_of(mesh);
+    REQUIRE(!bodies.empty());
+    auto const all = corners(bodies[0]);  // the largest
+    double foot = infinity;
+    for (auto const& p : all) foot = std::min(foot, p.z);
+    REQUIRE(foot == bounds_of(mesh).min.z);
+    std::vector<Point3d> grounded = all;
+    for (auto const& p : all) grounded.push_back({p.x, p.y, foot});
+    // Feet add nothing to the hull.
+    auto const hull = ConvexPolyhedron::hull(grounded);
+    REQUIRE(hull.vertices.size() == all.size());
+    roofs += std::holds_alternative<ConvexPolyhedron>(bodies[0].shape);
+  }
+  REQUIRE(roofs > 0);
 }
 
 TEST_CASE("inner bodies: without a wall triangle there are none", "[scene][degenerate]")

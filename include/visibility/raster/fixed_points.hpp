@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace visibility::detail {
@@ -14,6 +15,12 @@ struct FixedPoint {
   std::int64_t u, v;
   std::int8_t off_u = 0, off_v = 0;
   friend auto operator<=>(FixedPoint const&, FixedPoint const&) = default;
+};
+
+/// A coordinate in pixels, rounded, and whether it is exact.
+struct PixelCoordinate {
+  double value;
+  bool is_exact;
 };
 
 /// [u0, u1] x [v0, v1] in the same units.
@@ -29,6 +36,7 @@ struct FixedPoints {
 
   std::vector<FixedPoint> points;
   std::vector<FixedPoint> all;  ///< the points before reduce_to_hull(), if some are rounded and some are not
+  std::vector<std::pair<PixelCoordinate, PixelCoordinate>> pixels;  ///< scratch
   int fraction = 0;
   std::int64_t error_u = 0, error_v = 0;
 

@@ -1,5 +1,10 @@
 #include "visibility/methods/extended_projection/occluder_projector.hpp"
 
+#include "scene/plan.hpp"
+
+#include "visibility/kernel/arithmetic.hpp"
+#include "visibility/predicates/orient2d.hpp"
+
 #include <algorithm>
 
 namespace visibility::extended_projection {
@@ -64,14 +69,25 @@ void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
   if (frame.has_vertical_v() && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_) carry_down();
 }
 
-/// If every vertex has one below it on the ground, the hull is what lies between its upper side and the ground.
+/// If every vertex lies above the hull's side on the ground, the hull is what lies between its upper side and the
+/// ground.
 void OccluderProjector::carry_down()
 {
-  auto const has_foot = [&](Point3d const& p) {
-    return std::ranges::any_of(vertices_, [&](Point3d const& q) { return q.x == p.x && q.y == p.y && q.z == ground_; });
-  };
   constexpr std::size_t most = 64;
-  if (vertices_.size() > most || !std::ranges::all_of(vertices_, has_foot)) return;
+  if (vertices_.size() > most) return;
+  detail::plan::Polygon feet;
+  for (auto const& p : vertices_)
+    if (p.z == ground_) feet.push_back(horizontal(p));
+  auto const has_foot = [&](Point3d const& p) { return p.z == ground_ || std::ranges::count(feet, horizontal(p)) > 0; };
+  if (!std::ranges::all_of(vertices_, has_foot)) {
+    auto const side = detail::plan::convex_hull(feet);
+    auto const is_above = [&](Point3d const& p) {
+      for (std::size_t i = 0; i < side.size(); ++i)
+        if (is_negative(orient2d<Filtered>(side[i], side[(i + 1) % side.size()], horizontal(p)))) return false;
+      return true;
+    };
+    if (side.size() < 3 || !std::ranges::all_of(vertices_, is_above)) return;
+  }
   for (auto& p : vertices_)
     if (p.z == ground_) p.z = deep_;
 }

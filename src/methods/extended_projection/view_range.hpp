@@ -26,6 +26,9 @@ struct ViewRange {
   double low = HUGE_VAL, high = -HUGE_VAL, error = 0;
 };
 
+/// Covers the roundings of views, with `size` the largest term (proofs/extended_projection.md, "Occludees").
+inline double view_error(double size) { return 10 * 0x1p-53 * size + 0x1p-1000; }
+
 inline ViewRange view_range(std::vector<Point2d> const& profile, double low, double high, double w0, double w1,
                             double plane)
 {
@@ -40,7 +43,7 @@ inline ViewRange view_range(std::vector<Point2d> const& profile, double low, dou
       range.add(c.x + b);
       size = std::max({size, std::fabs(a), std::fabs(b), std::fabs(c.x)});
     }
-  return {range.low, range.high, 10 * 0x1p-53 * size + 0x1p-1000};
+  return {range.low, range.high, view_error(size)};
 }
 
 /// A coordinate in pixels, moved by the bound of its error times `side`; in the raster its own rounding is below 2^-39.
