@@ -13,11 +13,17 @@ void add_once(std::vector<Point2d>& points, Point2d const& p)
 
 }  // namespace
 
-CellViews::CellViews(Frame const& f, ViewCell const& cell)
-  : frame(f), bounds(f(cell.bounds())), near(bounds.max.z), is_box(cell.is_box())
+CellViews::CellViews(Frame const& f, ViewCell const& cell) : frame(f), is_box(cell.is_box() || f.is_turned())
 {
-  for (auto const& p : cell.vertices()) {
-    Point3d const& c = vertices.emplace_back(f(p));
+  for (auto const& p : cell.vertices()) bounds.extend(f(Box{p, p}));
+  near = bounds.max.z;
+  if (f.is_turned()) {
+    auto const corners = bounds.corners();
+    vertices.assign(corners.begin(), corners.end());
+  } else {
+    for (auto const& p : cell.vertices()) vertices.push_back(f(p));
+  }
+  for (auto const& c : vertices) {
     add_once(profile_u, {c.x, c.z});
     add_once(profile_v, {c.y, c.z});
   }

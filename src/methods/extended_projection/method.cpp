@@ -29,7 +29,7 @@ public:
       added_(scene.occluders().size())
   {
     cells_.reserve(frames.size());
-    for (auto const& f : frames) cells_.emplace_back(f, cell);
+    for (auto const& f : frames_of(cell)) cells_.emplace_back(f, cell);
     auto const selected = select_occluders(scene, cell, options.occluders, among);
     for (auto const& c : cells_) place_planes(c, selected, options);
     for (auto const o : selected) add(o);

@@ -1,25 +1,38 @@
 #include "visibility/methods/extended_projection/occludee_search.hpp"
 
+#include "visibility/methods/extended_projection/occludee_boxes.hpp"
+
 #include <algorithm>
 
 namespace visibility::extended_projection {
 
-bool OccludeeSearch::hides(Box const& box)
+/// `box_in`: the box that is looked for, in a frame.
+template <class BoxIn>
+bool OccludeeSearch::any_hides(BoxIn&& box_in)
 {
   ++counts_.boxes_tested;
   for (auto const& map : maps_) {
-    Box const b = map.cell().frame(box);
+    Box const b = box_in(map.cell().frame);
     if (!(b.min.z > map.cell().near)) continue;
-    if (map.hides(b) || (improved_ && map.hides_improved(b))) return true;
+    if (map.hides(b) || (improved_ && map.cell().is_box && map.hides_improved(b))) return true;
   }
   return false;
 }
 
+bool OccludeeSearch::hides(Box const& box)
+{
+  return any_hides([&](Frame const& frame) { return frame(box); });
+}
+
 bool OccludeeSearch::hides_object(std::uint32_t object)
 {
-  if (hides(scene_.object_bounds()[object])) return true;
-  auto const parts = scene_.bodies().bounds_of(object);
-  return parts.size() > 1 && std::ranges::all_of(parts, [&](Box const& b) { return hides(b); });
+  if (any_hides([&](Frame const& frame) { return object_box(scene_, object, frame); })) return true;
+  auto const& bodies = scene_.bodies();
+  auto const first = bodies.first_of_object()[object], last = bodies.first_of_object()[object + 1];
+  if (last - first < 2) return false;
+  for (auto b = first; b < last; ++b)
+    if (!any_hides([&](Frame const& frame) { return body_box(bodies, b, frame); })) return false;
+  return true;
 }
 
 std::vector<std::uint32_t> OccludeeSearch::visible_objects(std::function<void(std::uint32_t)> const& visible,

@@ -95,27 +95,33 @@ void OccluderProjector::carry_down()
 std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double until)
 {
   CellViews const& cell = map.cell();
-  Box const bounds = cell.frame(scene_->occluders().bounds()[i]);
   double const start = cell.near + (map.plane() - cell.near) * nearest_share;
-  if (!(start > cell.near) || bounds.max.z <= start) return 0;
+  if (!(start > cell.near) || cell.frame(scene_->occluders().bounds()[i]).max.z <= start) return 0;
   collect(i, cell.frame);
   if (vertices_.size() < 3) return 0;
   part_.clear();
-  for (auto const& p : vertices_) part_.push_back({cell.frame(p)});
+  double most_off = 0;
+  for (auto const& p : vertices_) {
+    double const off = cell.frame.error(p);
+    part_.push_back({cell.frame(p), off, cell.frame.has_vertical_v() ? off : 0});
+    most_off = std::max(most_off, part_.back().depth_error);
+  }
+  double const least = nearest(part_), greatest = deepest(part_);
+  if (greatest <= start) return 0;
 
   std::int64_t pixels = 0;
   auto const add_cut = [&](double low, double high) {
-    if (bounds.min.z >= low && bounds.max.z <= high)
+    if (least >= low && greatest <= high)
       pixels += map.add(part_);
     else if (low < high)
       pixels += map.add(cut(part_, low, high));
   };
   // The vertices of the cell suffice on either side of the plane, not for a body across it.
   add_cut(start, std::min(until, map.plane()));
-  if (bounds.max.z > map.plane() && until > map.plane()) add_cut(map.plane(), until);
+  if (greatest > map.plane() && until > map.plane()) add_cut(map.plane(), until);
   // A side next to the cell hides what is behind it, even within the depth of the body.
-  if (bounds.min.z >= start && bounds.min.z < bounds.max.z && bounds.min.z <= until) {
-    std::erase_if(part_, [&](PartPoint const& p) { return p.at.z != bounds.min.z; });
+  if (least >= start && least < greatest && least <= until) {
+    std::erase_if(part_, [&](PartPoint const& p) { return p.at.z > least + 8 * most_off; });
     if (part_.size() > 2) pixels += map.add(part_);
   }
   return pixels;

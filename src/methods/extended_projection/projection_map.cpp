@@ -65,8 +65,9 @@ std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
     Point2d error{0, 0};
     for (auto const& p : part) {
       double const ratio = (plane_ - c.z) / (p.at.z - c.z);
-      if (!in_domain(ratio)) return 0;
-      auto const u = view(c.x, p.at.x, p.error, ratio), v = view(c.y, p.at.y, p.error, ratio);
+      double const slack = ratio_slack(p, c.z);
+      if (!in_domain(ratio) || !(slack < 1)) return 0;
+      auto const u = view(c.x, p.at.x, p.error, ratio, slack), v = view(c.y, p.at.y, p.error, ratio, slack);
       views_.push_back({u.value, v.value});
       error = {std::max(error.x, u.error), std::max(error.y, v.error)};
       range_u.add(u.value);

@@ -3,6 +3,7 @@
 #include "hidden_objects.hpp"
 #include "sweep_planes.hpp"
 
+#include "visibility/methods/extended_projection/occludee_boxes.hpp"
 #include "visibility/methods/extended_projection/occluder_projector.hpp"
 #include "visibility/methods/extended_projection/occluder_selection.hpp"
 
@@ -20,9 +21,6 @@ constexpr std::size_t refresh_after = 64;
 
 /// So many occluders tell where the first plane stands.
 constexpr std::size_t most_important = 200;
-
-/// Objects of more bodies are tested as a whole only.
-constexpr std::size_t most_parts = 64;
 
 /// One sweep after the other over one scene; what is hidden stays so.
 class Sweeps {
@@ -95,22 +93,26 @@ private:
   bool test(ProjectionMap const& map, double before)
   {
     auto const& frame = map.cell().frame;
-    auto const hides = [&](Box const& box) {
-      Box const b = frame(box);
+    auto const hides = [&](Box const& b) {
       if (b.min.z < before) return false;
       ++boxes_tested_;
-      return map.hides(b) || (options_.improved && cell_.is_box() && map.hides_improved(b));
+      return map.hides(b) || (options_.improved && map.cell().is_box && map.hides_improved(b));
     };
     auto const hides_object = [&](std::uint32_t object) {
-      if (hides(scene_.object_bounds()[object])) return true;
-      auto const parts = scene_.bodies().bounds_of(object);
-      return parts.size() > 1 && parts.size() <= most_parts && std::ranges::all_of(parts, hides);
+      if (hides(object_box(scene_, object, frame))) return true;
+      auto const& bodies = scene_.bodies();
+      auto const first = bodies.first_of_object()[object], last = bodies.first_of_object()[object + 1];
+      if (last - first < 2 || last - first > most_occludee_bodies) return false;
+      for (auto b = first; b < last; ++b)
+        if (!hides(body_box(bodies, b, frame))) return false;
+      return true;
     };
     bool is_left = false;
     hidden_.walk_rest(
       [&](std::uint32_t node, Box const& box) {
-        if (frame(box).max.z <= before) return false;
-        if (!hides(box)) return true;
+        Box const b = frame(box);
+        if (b.max.z <= before) return false;
+        if (!hides(b)) return true;
         hidden_.hide_group(node);
         ++groups_hidden_;
         return false;
@@ -141,7 +143,7 @@ PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& ce
                                   ObjectSelection const* among)
 {
   Sweeps sweeps(scene, cell, options, among);
-  for (auto const& frame : frames) sweeps.run(frame);
+  for (auto const& frame : frames_of(cell)) sweeps.run(frame);
   return sweeps.result();
 }
 

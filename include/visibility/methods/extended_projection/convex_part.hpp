@@ -16,7 +16,8 @@ using ConvexPart = std::vector<PartPoint>;
 /// points may come out smaller, never larger. Empty if there is nothing.
 ConvexPart cut(std::span<PartPoint const> points, double low, double high);
 
-/// The greatest w of a part. Requires: points.
+/// A bound of the greatest w of a part, and of the least. Requires: points.
 double deepest(std::span<PartPoint const> part);
+double nearest(std::span<PartPoint const> part);
 
 }  // namespace visibility::extended_projection

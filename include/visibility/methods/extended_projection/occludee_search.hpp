@@ -21,7 +21,7 @@ public:
   /// Keeps references.
   OccludeeSearch(PreparedScene const& scene, ViewCell const& cell, std::vector<ProjectionMap> const& maps,
                  bool improved)
-    : scene_(scene), cell_(cell), maps_(maps), improved_(improved && cell.is_box())
+    : scene_(scene), cell_(cell), maps_(maps), improved_(improved)
   {
   }
 
@@ -37,6 +37,9 @@ public:
   Counts const& counts() const { return counts_; }
 
 private:
+  template <class BoxIn>
+  bool any_hides(BoxIn&& box_in);
+
   PreparedScene const& scene_;
   ViewCell const& cell_;
   std::vector<ProjectionMap> const& maps_;

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "visibility/methods/extended_projection/frame.hpp"
+#include "visibility/scene/prepared_scene.hpp"
+
+#include <cstdint>
+
+namespace visibility::extended_projection {
+
+/// Objects of more bodies are looked at as a whole only.
+inline constexpr std::size_t most_occludee_bodies = 64;
+
+/// A box in the frame that contains the body: in a turned frame that of its vertices, which is smaller than that of its
+/// bounds. `body`: a position in ConvexBodies::bodies().
+Box body_box(ConvexBodies const& bodies, std::size_t body, Frame const& frame);
+/// The same for an object.
+Box object_box(PreparedScene const& scene, std::uint32_t object, Frame const& frame);
+
+}  // namespace visibility::extended_projection
