@@ -24,6 +24,24 @@ std::vector<ViewCell> street_cells(int count, double bottom)
   return cells;
 }
 
+std::vector<ViewCell> turned_street_cells(int count, double length, double degrees)
+{
+  double const angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
+  std::vector<ViewCell> cells;
+  for (int i = 0; i < count; ++i) {
+    double const at = 10 + 4.0 * (i / 2);
+    Box const b = i % 2 == 0 ? Box{{at, -5, 0.5}, {at + length, 5, 2}} : Box{{-5, at, 0.5}, {5, at + length, 2}};
+    if (degrees == 0) {
+      cells.emplace_back(b);
+      continue;
+    }
+    std::vector<Point3d> corners;
+    for (auto const& p : b.corners()) corners.push_back({c * p.x - s * p.y, s * p.x + c * p.y, p.z});
+    cells.push_back(ViewCell::hull(corners));
+  }
+  return cells;
+}
+
 std::vector<ViewCell> crown_cells(int count, double side)
 {
   std::vector<ViewCell> cells;

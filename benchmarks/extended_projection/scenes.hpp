@@ -28,6 +28,8 @@ struct Model {
 /// Cells of a street of the district about the origin, as wide as the street but for 2 m on either side, 4 m long, from
 /// `bottom` to 2 m above the ground, along both streets that cross there.
 std::vector<ViewCell> street_cells(int count, double bottom = 0.5);
+/// Such cells of another length, of a district turned about the vertical by so many degrees.
+std::vector<ViewCell> turned_street_cells(int count, double length, double degrees);
 /// Cubes among the crowns of the forest, in the free square about the origin.
 std::vector<ViewCell> crown_cells(int count, double side);
 

@@ -120,7 +120,7 @@
 #include "visibility/methods/extended_projection/convex_part.hpp"
 #include "visibility/methods/extended_projection/frame.hpp"
 #include "visibility/methods/extended_projection/method.hpp"
-#include "visibility/methods/extended_projection/occludee_boxes.hpp"
+#include "visibility/methods/extended_projection/boxes_in_frame.hpp"
 #include "visibility/methods/extended_projection/occludee_search.hpp"
 #include "visibility/methods/extended_projection/occluder_projector.hpp"
 #include "visibility/methods/extended_projection/occluder_selection.hpp"

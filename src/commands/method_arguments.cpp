@@ -73,6 +73,14 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
                      "extended-projection: convex bodies of the largest solid angle to project (default 1000)");
   command.add_flag("!--no-more-occluders", o.more_occluders,
                    "extended-projection: do not add those of objects that are still visible");
+  command
+    .add_option("--directions", o.directions,
+                "extended-projection: planes along the sides of a cell that is a turned box (cell) or along the axes "
+                "(axes); default automatic")
+    ->transform(CLI::CheckedTransformer(
+      std::map<std::string, extended_projection::Directions>{{"automatic", extended_projection::Directions::automatic},
+                                                             {"cell", extended_projection::Directions::cell},
+                                                             {"axes", extended_projection::Directions::axes}}));
   command.add_flag_callback(
     "--convolution", [&o] { o.reprojection = extended_projection::Reprojection::convolution; },
     "occlusion-sweep: from plane to plane by one kernel for all pixels, as the paper does");
@@ -83,6 +91,9 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
 {
   std::string distances;
   for (double const d : o.distances) distances += (distances.empty() ? "" : ",") + std::to_string(d);
+  std::string const directions = o.directions == extended_projection::Directions::cell   ? "cell"
+                                 : o.directions == extended_projection::Directions::axes ? "axes"
+                                                                                         : "automatic";
   std::map<std::string, std::string> out{
     {"resolution", std::to_string(o.resolution)},
     {"extent", std::to_string(o.extent)},
@@ -90,6 +101,7 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
     {"more-occluders", o.more_occluders ? "on" : "off"},
     {"kernel", std::to_string(o.kernel)},
     {"improved", o.improved ? "on" : "off"},
+    {"directions", directions},
     {"reprojection", o.reprojection == extended_projection::Reprojection::windows ? "windows" : "convolution"}};
   if (distances.empty())
     out["planes"] = std::to_string(o.planes);

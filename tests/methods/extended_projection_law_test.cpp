@@ -27,6 +27,8 @@ Options any_options(Random& random, double scale)
   o.extent = random.chance(0.5) ? 1.5 : random.uniform(0.1, 4);
   o.planes = random.between(1, 5);
   o.kernel = random.uniform(1.5, 9);
+  if (random.chance(0.5))
+    o.directions = random.chance(0.7) ? extended_projection::Directions::cell : extended_projection::Directions::axes;
   if (random.chance(0.4)) o.reprojection = extended_projection::Reprojection::convolution;
   o.occluders = random.chance(0.3) ? static_cast<std::size_t>(random.between(0, 6)) : 2000;
   o.more_occluders = random.chance(0.5);

@@ -1,5 +1,6 @@
 #include "visibility/methods/extended_projection/method.hpp"
 
+#include "visibility/methods/extended_projection/boxes_in_frame.hpp"
 #include "visibility/methods/extended_projection/occludee_search.hpp"
 #include "visibility/methods/extended_projection/occluder_projector.hpp"
 #include "visibility/methods/extended_projection/occluder_selection.hpp"
@@ -29,7 +30,8 @@ public:
       added_(scene.occluders().size())
   {
     cells_.reserve(frames.size());
-    for (auto const& f : frames_of(cell)) cells_.emplace_back(f, cell);
+    for (auto const& f : options.directions == Directions::axes ? frames : frames_of(cell))
+      cells_.emplace_back(f, cell);
     auto const selected = select_occluders(scene, cell, options.occluders, among);
     for (auto const& c : cells_) place_planes(c, selected, options);
     for (auto const o : selected) add(o);
@@ -59,7 +61,7 @@ private:
   {
     std::vector<Box> boxes;
     for (auto const o : selected) {
-      Box const b = cell.frame(scene_.occluders().bounds()[o]);
+      Box const b = occluder_box(scene_.occluders(), o, cell.frame);
       if (b.max.z > cell.near) boxes.push_back(b);
     }
     std::vector<double> planes;
@@ -80,7 +82,8 @@ private:
     added_[occluder] = true;
     ++count_;
     for (auto& m : maps_)
-      if (m.seems_useful(m.cell().frame(scene_.occluders().bounds()[occluder]))) pixels_ += projector_.add(occluder, m);
+      if (m.seems_useful(occluder_box(scene_.occluders(), occluder, m.cell().frame)))
+        pixels_ += projector_.add(occluder, m);
     if (++since_refresh_ == refresh_after) refresh();
   }
 

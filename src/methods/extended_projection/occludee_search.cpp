@@ -1,6 +1,6 @@
 #include "visibility/methods/extended_projection/occludee_search.hpp"
 
-#include "visibility/methods/extended_projection/occludee_boxes.hpp"
+#include "visibility/methods/extended_projection/boxes_in_frame.hpp"
 
 #include <algorithm>
 

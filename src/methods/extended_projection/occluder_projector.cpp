@@ -5,6 +5,8 @@
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/predicates/orient2d.hpp"
 
+#include "shape_points.hpp"
+
 #include <algorithm>
 
 namespace visibility::extended_projection {
@@ -16,41 +18,6 @@ constexpr double nearest_share = 0x1p-10;
 
 /// How far upright solids are carried down, in heights of scene and cell.
 constexpr double depth_below = 64;
-
-void append(Box const& b, std::vector<Point3d>& out)
-{
-  for (auto const& p : b.corners()) out.push_back(p);
-}
-void append(ConvexPrism const& p, std::vector<Point3d>& out)
-{
-  for (auto const& v : p.footprint) {
-    out.push_back({v.x, v.y, p.bottom});
-    out.push_back({v.x, v.y, p.top});
-  }
-}
-void append(ConvexPolyhedron const& p, std::vector<Point3d>& out)
-{
-  out.insert(out.end(), p.vertices.begin(), p.vertices.end());
-}
-void append(Triangle const& t, std::vector<Point3d>& out)
-{
-  out.insert(out.end(), t.vertices.begin(), t.vertices.end());
-}
-
-/// Points inside the ball: of its cube and its octahedron, a little smaller, so that rounding leaves them inside.
-void append(Ball const& b, std::vector<Point3d>& out)
-{
-  double const size = std::max({std::fabs(b.centre.x), std::fabs(b.centre.y), std::fabs(b.centre.z)}), r = b.radius;
-  if (!(size * 0x1p-50 <= r * 1e-4) || r < 0x1p-500) return;
-  double const h = 0.577 * r, a = 0.999 * r;
-  append(Box{{b.centre.x - h, b.centre.y - h, b.centre.z - h}, {b.centre.x + h, b.centre.y + h, b.centre.z + h}}, out);
-  for (auto const axis : {&Point3d::x, &Point3d::y, &Point3d::z})
-    for (double const way : {-a, a}) {
-      Point3d p = b.centre;
-      p.*axis += way;
-      out.push_back(p);
-    }
-}
 
 }  // namespace
 
@@ -65,7 +32,7 @@ OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const&
 void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
 {
   vertices_.clear();
-  scene_->occluders().visit(i, [&](auto const& shape) { append(shape, vertices_); });
+  scene_->occluders().visit(i, [&](auto const& shape) { append_points(shape, vertices_); });
   if (frame.has_vertical_v() && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_) carry_down();
 }
 

@@ -3,7 +3,7 @@
 #include "hidden_objects.hpp"
 #include "sweep_planes.hpp"
 
-#include "visibility/methods/extended_projection/occludee_boxes.hpp"
+#include "visibility/methods/extended_projection/boxes_in_frame.hpp"
 #include "visibility/methods/extended_projection/occluder_projector.hpp"
 #include "visibility/methods/extended_projection/occluder_selection.hpp"
 
@@ -37,7 +37,7 @@ public:
     CellViews const views(frame, cell_);
     Box const all = frame(scene_.object_hierarchy().nodes()[0].bounds);
     std::vector<Box> important;
-    for (auto const o : important_) important.push_back(frame(scene_.occluders().bounds()[o]));
+    for (auto const o : important_) important.push_back(occluder_box(scene_.occluders(), o, frame));
     std::optional<ProjectionMap> map;
     double before = views.near;
     for (double const plane : sweep_planes(views, all, important, options_)) {
@@ -77,10 +77,10 @@ private:
     auto const is_between = [&](Box const& b) { return b.max.z > before && b.min.z < map.plane(); };
     auto const enter = [&](std::uint32_t, Box const& box) { return is_between(frame(box)); };
     hidden_.walk_rest(enter, [&](std::uint32_t object) {
-      if (!is_between(frame(scene_.object_bounds()[object]))) return;
+      if (!is_between(object_box(scene_, object, frame))) return;
       auto const range = worthwhile_occluders(scene_, cell_, object);
       for (auto o = range.first; o < range.last; ++o) {
-        Box const b = frame(occluders.bounds()[o]);
+        Box const b = occluder_box(occluders, o, frame);
         if (!is_between(b) || !map.seems_useful(b) || !blocks(scene_, cell_, o)) continue;
         ++occluders_;
         pixels_ += projector_.add(o, map, map.plane());
@@ -98,8 +98,8 @@ private:
       ++boxes_tested_;
       return map.hides(b) || (options_.improved && map.cell().is_box && map.hides_improved(b));
     };
-    auto const hides_object = [&](std::uint32_t object) {
-      if (hides(object_box(scene_, object, frame))) return true;
+    auto const hides_object = [&](std::uint32_t object, Box const& box) {
+      if (hides(box)) return true;
       auto const& bodies = scene_.bodies();
       auto const first = bodies.first_of_object()[object], last = bodies.first_of_object()[object + 1];
       if (last - first < 2 || last - first > most_occludee_bodies) return false;
@@ -119,9 +119,9 @@ private:
       },
       [&](std::uint32_t object) {
         // What reaches beside the cell is not seen as a whole in this direction.
-        Box const b = frame(scene_.object_bounds()[object]);
+        Box const b = object_box(scene_, object, frame);
         if (!(b.min.z > map.cell().near)) return;
-        if (hides_object(object))
+        if (hides_object(object, b))
           hidden_.hide(object);
         else
           is_left = is_left || b.max.z > map.plane();
@@ -143,7 +143,7 @@ PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& ce
                                   ObjectSelection const* among)
 {
   Sweeps sweeps(scene, cell, options, among);
-  for (auto const& frame : frames_of(cell)) sweeps.run(frame);
+  for (auto const& frame : options.directions == Directions::cell ? frames_of(cell) : frames) sweeps.run(frame);
   return sweeps.result();
 }
 

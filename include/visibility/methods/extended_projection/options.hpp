@@ -14,6 +14,14 @@ enum class Reprojection {
   convolution  ///< the paper's: one kernel, the image of an equivalent flat cell, which contains the cell's views
 };
 
+/// Along what the planes of a cell stand that is an upright box in any position [Durand00, 2.4]; of all other cells
+/// they stand along the axes.
+enum class Directions {
+  automatic,  ///< the sides of the cell for extended projections, the axes for a sweep: what has smaller sets
+  cell,
+  axes
+};
+
 /// All of these are choices: the set is conservative whatever they are.
 struct Options {
   int resolution = 256;          ///< depth maps have as many pixels as its square; 1 to Grid::max_size
@@ -23,6 +31,7 @@ struct Options {
   bool more_occluders = true;    ///< then those of objects that are still visible, too [Durand00, 6.1]
   bool improved = true;          ///< the repaired improved Projection of occludees [Durand00, 4]
   double kernel = 5;  ///< of a sweep: planes are so far apart that the cell's image is this many pixels [Durand00, 5.2]
+  Directions directions = Directions::automatic;
   Reprojection reprojection = Reprojection::windows;  ///< of a sweep
   /// Distances of the planes from the cell, in place of chosen ones; each > 0, in metres.
   std::vector<double> distances{};
