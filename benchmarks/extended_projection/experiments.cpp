@@ -82,6 +82,26 @@ void improved(Report& report, Size size)
   table.notes.emplace_back("The paper: 5 to 10 % smaller, with an improved Projection that hides visible objects.");
 }
 
+void lim(Report& report, Size size)
+{
+  bool const full = size == Size::full;
+  auto& table =
+    report.table("Section 7.4: planes at infinity, as Lim projects, against planes behind occluders",
+                 {"scene", "planes, visible", "ms", "infinity, visible", "ms ", "with improved Projection"});
+  auto const add = [&](Model const& m, std::vector<ViewCell> const& cells) {
+    Options plain;
+    plain.improved = false;
+    auto const planes = measure(m, cells, ExtendedProjection(plain));
+    plain.infinity = true;
+    auto const infinity = measure(m, cells, ExtendedProjection(plain));
+    plain.improved = true;
+    table.add({m.name, planes.visible, 1e3 * planes.seconds, infinity.visible, 1e3 * infinity.seconds,
+               measure(m, cells, ExtendedProjection(plain)).visible});
+  };
+  add(Model(district(full ? 4 : 1).substr(4), true), street_cells(full ? 28 : 2));
+  add(Model(full ? "city,n=20000" : "city,n=300", false), {ViewCell(Box{{-20, -20, 0}, {20, 20, 3}})});
+}
+
 void reprojection(Report& report, Size size)
 {
   bool const full = size == Size::full;

@@ -10,6 +10,7 @@ void resolution(Report&, Size);    ///< figure 12
 void growth(Report&, Size);        ///< figure 13
 void improved(Report&, Size);      ///< the gain of the improved Projection, section 7.1
 void reprojection(Report&, Size);  ///< windows against the paper's convolution, section 5.1
+void lim(Report&, Size);           ///< planes at infinity, section 7.4
 void city(Report&, Size);          ///< the 1.8 M polygon city, and strong occlusion on the same cells, section 7.1
 void oriented(Report&, Size);      ///< planes along turned streets, section 2.4
 void streets(Report&, Size);       ///< the adaptive preprocess of a district's streets, with cars, section 7.1

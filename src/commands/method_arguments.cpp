@@ -84,6 +84,8 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
   command.add_flag_callback(
     "--convolution", [&o] { o.reprojection = extended_projection::Reprojection::convolution; },
     "occlusion-sweep: from plane to plane by one kernel for all pixels, as the paper does");
+  command.add_flag("--infinity", o.infinity,
+                   "extended-projection: one plane at infinity in each direction, the fuzzy projection of Lim");
   command.add_flag("!--no-improved", o.improved, "extended-projection: without the improved Projection of occludees");
 }
 
@@ -102,6 +104,7 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
     {"kernel", std::to_string(o.kernel)},
     {"improved", o.improved ? "on" : "off"},
     {"directions", directions},
+    {"infinity", o.infinity ? "on" : "off"},
     {"reprojection", o.reprojection == extended_projection::Reprojection::windows ? "windows" : "convolution"}};
   if (distances.empty())
     out["planes"] = std::to_string(o.planes);

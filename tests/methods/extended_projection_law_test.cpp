@@ -27,6 +27,7 @@ Options any_options(Random& random, double scale)
   o.extent = random.chance(0.5) ? 1.5 : random.uniform(0.1, 4);
   o.planes = random.between(1, 5);
   o.kernel = random.uniform(1.5, 9);
+  o.infinity = random.chance(0.2);
   if (random.chance(0.5))
     o.directions = random.chance(0.7) ? extended_projection::Directions::cell : extended_projection::Directions::axes;
   if (random.chance(0.4)) o.reprojection = extended_projection::Reprojection::convolution;

@@ -187,3 +187,31 @@ TEST_CASE("extended projection: options out of range are refused", "[methods]")
   options.planes = -1;
   REQUIRE_THROWS_AS(ExtendedProjection(options), std::invalid_argument);
 }
+
+TEST_CASE("extended projection: at infinity finite umbrae are lost, which planes behind occluders hold", "[methods]")
+{
+  // A screen smaller than the cell hides what is right behind it, and nothing of infinity.
+  SceneBuilder b("screen");
+  b.begin_object("screen");
+  b.add(Box{{2, -3, -3}, {2.1, 3, 3}});
+  b.begin_object("near");
+  b.add(Box{{2.5, -.5, -.5}, {3, .5, .5}});
+  Scene const small = b.finish();
+  PreparedScene const prepared(small);
+  ViewCell const cell(Box{{-1, -4, -4}, {0, 4, 4}});
+  Options lim;
+  lim.infinity = true;
+  lim.improved = false;
+  CHECK(ExtendedProjection()(prepared, cell).visible == std::vector<std::uint32_t>{0});
+  CHECK(ExtendedProjection(lim)(prepared, cell).visible == std::vector<std::uint32_t>{0, 1});
+
+  // A screen larger than the cell covers directions, so that it hides what is far behind.
+  b = SceneBuilder("wide");
+  b.begin_object("screen");
+  b.add(Box{{2, -30, -30}, {2.1, 30, 30}});
+  b.begin_object("far");
+  b.add(Box{{100, -20, -20}, {110, 20, 20}});
+  Scene const large = b.finish();
+  PreparedScene const wide(large);
+  CHECK(ExtendedProjection(lim)(wide, cell).visible == std::vector<std::uint32_t>{0});
+}

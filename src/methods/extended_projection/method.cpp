@@ -22,18 +22,29 @@ constexpr double fewest_pixels = 16;
 
 constexpr int default_planes = 8;
 
+/// Of a plane at infinity, in sizes of scene and cell: its pixels are so large that the cell is nothing against them.
+constexpr double infinite_distance = 0x1p24;
+
+/// What is nearer to the cell than this share of the size of scene and cell is not projected to infinity.
+constexpr double nearest_to_infinity = 0x1p-24;
+
 /// The maps of one cell, filled from occluders of the largest solid angle first.
 class Maps {
 public:
   Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
     : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell),
-      added_(scene.occluders().size())
+      added_(scene.occluders().size()), at_infinity_(options.infinity)
   {
     cells_.reserve(frames.size());
+    if (options.infinity) projector_.cut_nearer_than(nearest_to_infinity * size());
     for (auto const& f : options.directions == Directions::axes ? frames : frames_of(cell))
       cells_.emplace_back(f, cell);
     auto const selected = select_occluders(scene, cell, options.occluders, among);
-    for (auto const& c : cells_) place_planes(c, selected, options);
+    for (auto const& c : cells_)
+      if (options.infinity)
+        place_at_infinity(c, options);
+      else
+        place_planes(c, selected, options);
     for (auto const o : selected) add(o);
     refresh();
   }
@@ -77,12 +88,27 @@ private:
         maps_.emplace_back(cell, plane, *grid);
   }
 
+  /// The largest extent of scene and cell.
+  double size() const
+  {
+    Box all = scene_.object_hierarchy().nodes()[0].bounds;
+    all.extend(cell_.bounds());
+    return std::max({all.max.x - all.min.x, all.max.y - all.min.y, all.max.z - all.min.z});
+  }
+
+  void place_at_infinity(CellViews const& cell, Options const& options)
+  {
+    double const plane = cell.near + infinite_distance * size();
+    if (auto const grid = raster_over(extended_rectangle(cell, plane, options.extent), options.resolution))
+      maps_.emplace_back(cell, plane, *grid);
+  }
+
   void add(std::uint32_t occluder)
   {
     added_[occluder] = true;
     ++count_;
     for (auto& m : maps_)
-      if (m.seems_useful(occluder_box(scene_.occluders(), occluder, m.cell().frame)))
+      if (at_infinity_ || m.seems_useful(occluder_box(scene_.occluders(), occluder, m.cell().frame)))
         pixels_ += projector_.add(occluder, m);
     if (++since_refresh_ == refresh_after) refresh();
   }
@@ -97,6 +123,7 @@ private:
   std::size_t count_ = 0;
   std::int64_t pixels_ = 0;
   int since_refresh_ = 0;
+  bool at_infinity_;
 };
 
 /// Of all objects, or of some; no others occlude.

@@ -62,7 +62,7 @@ void OccluderProjector::carry_down()
 std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double until)
 {
   CellViews const& cell = map.cell();
-  double const start = cell.near + (map.plane() - cell.near) * nearest_share;
+  double const start = cell.near + (nearest_ > 0 ? nearest_ : (map.plane() - cell.near) * nearest_share);
   if (!(start > cell.near) || cell.frame(scene_->occluders().bounds()[i]).max.z <= start) return 0;
   collect(i, cell.frame);
   if (vertices_.size() < 3) return 0;

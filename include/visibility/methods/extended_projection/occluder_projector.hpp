@@ -21,6 +21,10 @@ public:
   /// Requires: the occluder blocks from the cell (Occluders::blocks_from).
   std::int64_t add(std::uint32_t occluder, ProjectionMap& map, double until = HUGE_VAL);
 
+  /// What is nearer to the cell than this, in metres, is cut off from now on; at first a share of a plane's distance
+  /// is.
+  void cut_nearer_than(double distance) { nearest_ = distance; }
+
   bool is_above_ground() const { return is_above_ground_; }
   double ground() const { return ground_; }
 
@@ -32,6 +36,7 @@ private:
   ViewCell const* cell_;
   bool is_above_ground_;
   double ground_, deep_;
+  double nearest_ = 0;             // 0: a share of the distance
   std::vector<Point3d> vertices_;  // scratch
   ConvexPart part_;                // scratch
 };

@@ -33,6 +33,9 @@ struct Options {
   double kernel = 5;  ///< of a sweep: planes are so far apart that the cell's image is this many pixels [Durand00, 5.2]
   Directions directions = Directions::automatic;
   Reprojection reprojection = Reprojection::windows;  ///< of a sweep
+  /// Of extended projections: one plane in each direction, so far off that each pixel is a direction: the fuzzy
+  /// projection of [Lim92] as [Durand00, 7.4] describes it, for comparison.
+  bool infinity = false;
   /// Distances of the planes from the cell, in place of chosen ones; each > 0, in metres.
   std::vector<double> distances{};
 
