@@ -11,6 +11,7 @@
 #include "visibility/kernel/sign.hpp"
 #include "visibility/kernel/structural_zero.hpp"
 #include "visibility/kernel/tally.hpp"
+#include "visibility/kernel/thread_seconds.hpp"
 
 #include "visibility/predicates/direction_side.hpp"
 #include "visibility/predicates/in_ball.hpp"

@@ -6,6 +6,7 @@
 #include "progress.hpp"
 #include "scene_argument.hpp"
 
+#include "visibility/kernel/thread_seconds.hpp"
 #include "visibility/methods/exact_25d/explanation_file.hpp"
 #include "visibility/scene/result_file.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -16,7 +17,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -43,14 +43,6 @@ struct Arguments {
 double seconds_since(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-/// Processor seconds of the calling thread.
-double thread_seconds()
-{
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 /// `scene`: of the objects that were looked for.
