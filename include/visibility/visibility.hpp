@@ -32,6 +32,7 @@
 #include "visibility/geometry/segment_polyhedron.hpp"
 #include "visibility/geometry/segment_prism.hpp"
 #include "visibility/geometry/segment_triangle.hpp"
+#include "visibility/geometry/shape_vertices.hpp"
 #include "visibility/geometry/triangle.hpp"
 #include "visibility/geometry/triangle_meets_interior.hpp"
 

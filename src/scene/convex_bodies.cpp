@@ -2,6 +2,10 @@
 
 #include "mesh_pieces.hpp"
 
+#include "visibility/geometry/shape_vertices.hpp"
+
+#include <type_traits>
+
 namespace visibility {
 
 ConvexBodies::ConvexBodies(Scene const& scene) : scene_(&scene)
@@ -62,26 +66,12 @@ std::span<Box const> ConvexBodies::bounds_of(std::uint32_t object) const
 
 void ConvexBodies::append_vertices(Body const& b, std::vector<Point3d>& out) const
 {
-  auto const corners = [&](Box const& x) {
-    auto const c = x.corners();
-    out.insert(out.end(), c.begin(), c.end());
-  };
-  switch (b.kind) {
-  case Kind::box: corners(box(b)); break;
-  case Kind::ball: corners(visibility::bounding_box(ball(b))); break;
-  case Kind::prism:
-    for (auto const& v : prism(b).footprint) {
-      out.push_back({v.x, v.y, prism(b).bottom});
-      out.push_back({v.x, v.y, prism(b).top});
-    }
-    break;
-  case Kind::polyhedron: out.insert(out.end(), polyhedron(b).vertices.begin(), polyhedron(b).vertices.end()); break;
-  case Kind::triangle: {
-    auto const t = triangle(b);
-    out.insert(out.end(), t.vertices.begin(), t.vertices.end());
-    break;
-  }
-  }
+  visit_shape(*this, b, [&](auto const& shape) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Ball>)
+      visibility::append_vertices(visibility::bounding_box(shape), out);
+    else
+      visibility::append_vertices(shape, out);
+  });
 }
 
 }  // namespace visibility

@@ -1,6 +1,6 @@
 #include "visibility/methods/extended_projection/boxes_in_frame.hpp"
 
-#include "shape_points.hpp"
+#include "visibility/geometry/shape_vertices.hpp"
 
 #include <type_traits>
 #include <vector>
@@ -34,9 +34,9 @@ Box occluder_box(Occluders const& occluders, std::uint32_t occluder, Frame const
   vertices.clear();
   occluders.visit(occluder, [&](auto const& shape) {
     if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Ball>)
-      append_points(occluders.bounds()[occluder], vertices);
+      append_vertices(occluders.bounds()[occluder], vertices);
     else
-      append_points(shape, vertices);
+      append_vertices(shape, vertices);
   });
   return box_around(vertices, frame);
 }

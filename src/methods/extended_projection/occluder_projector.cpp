@@ -5,9 +5,10 @@
 #include "visibility/kernel/arithmetic.hpp"
 #include "visibility/predicates/orient2d.hpp"
 
-#include "shape_points.hpp"
+#include "visibility/geometry/shape_vertices.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace visibility::extended_projection {
 
@@ -18,6 +19,22 @@ constexpr double nearest_share = 0x1p-10;
 
 /// How far upright solids are carried down, in heights of scene and cell.
 constexpr double depth_below = 64;
+
+/// Points inside the ball: of its cube and its octahedron, a little smaller, so that rounding leaves them inside.
+void append_inner_points(Ball const& b, std::vector<Point3d>& out)
+{
+  double const size = std::max({std::fabs(b.centre.x), std::fabs(b.centre.y), std::fabs(b.centre.z)}), r = b.radius;
+  if (!(size * 0x1p-50 <= r * 1e-4) || r < 0x1p-500) return;
+  double const h = 0.577 * r, a = 0.999 * r;
+  append_vertices(
+    Box{{b.centre.x - h, b.centre.y - h, b.centre.z - h}, {b.centre.x + h, b.centre.y + h, b.centre.z + h}}, out);
+  for (auto const axis : {&Point3d::x, &Point3d::y, &Point3d::z})
+    for (double const way : {-a, a}) {
+      Point3d p = b.centre;
+      p.*axis += way;
+      out.push_back(p);
+    }
+}
 
 }  // namespace
 
@@ -32,7 +49,12 @@ OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const&
 void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
 {
   vertices_.clear();
-  scene_->occluders().visit(i, [&](auto const& shape) { append_points(shape, vertices_); });
+  scene_->occluders().visit(i, [&](auto const& shape) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(shape)>, Ball>)
+      append_inner_points(shape, vertices_);
+    else
+      append_vertices(shape, vertices_);
+  });
   if (frame.has_vertical_v() && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_) carry_down();
 }
 
