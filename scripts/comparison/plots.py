@@ -4,11 +4,22 @@ from __future__ import annotations
 
 from statistics import median
 
+import numpy as np
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, MaxNLocator, NullLocator
 
 from . import table
 from .style import COLOURS, MARKERS, plt
+
+
+def _panels(count: int) -> tuple[Figure, np.ndarray]:
+    """A figure of so many panels, three in a line at most, and the panels as lines; those left over are blank."""
+    columns = min(3, count)
+    lines = -(-count // columns)
+    figure, panels = plt.subplots(lines, columns, figsize=(3.1 * columns, 2.7 * lines), squeeze=False)
+    for axes in panels.flat[count:]:
+        axes.axis("off")
+    return figure, panels
 
 
 def plain_log(axis) -> None:
@@ -95,11 +106,7 @@ def recall(comparison: dict) -> Figure | None:
               and any(_is_sampling(comparison, r, i) for r in table.finished(comparison))]
     if not scenes:
         return None
-    columns = min(3, len(scenes))
-    lines = -(-len(scenes) // columns)
-    figure, panels = plt.subplots(lines, columns, figsize=(3.1 * columns, 2.7 * lines), squeeze=False)
-    for axes in panels.flat[len(scenes):]:
-        axes.axis("off")
+    figure, panels = _panels(len(scenes))
     for axes, i in zip(panels.flat, scenes):
         rows = [r for r in table.finished(comparison) if _is_sampling(comparison, r, i)]
         for cell in range(len(rows[0]["measures"])):
@@ -181,11 +188,7 @@ def cell_size(comparison: dict) -> Figure | None:
     groups = {k: v for k, v in groups.items() if len({size for _, size, _ in v}) > 1}
     if not groups:
         return None
-    columns = min(3, len(groups))
-    lines = -(-len(groups) // columns)
-    figure, panels = plt.subplots(lines, columns, figsize=(3.1 * columns, 2.6 * lines), squeeze=False)
-    for axes in panels.flat[len(groups):]:
-        axes.axis("off")
+    figure, panels = _panels(len(groups))
     for axes, ((scene, kind), points) in zip(panels.flat, groups.items()):
         for name in COLOURS:
             at = sorted((size, value) for n, size, value in points if n == name)

@@ -39,14 +39,10 @@ Scene with_moving_objects(Scene scene, std::span<MovingObject const> moving)
     if (names.contains(o.name))
       throw BadInput("moving object '" + o.name + "': the scene has an object of that name already; rename it");
     o.boxes = carry(regions.boxes, o.boxes, scene.boxes);
-    auto const behind = [](auto const& array) {
-      auto const n = static_cast<std::uint32_t>(array.size());
-      return IndexRange{n, n};
-    };
-    o.balls = behind(scene.balls);
-    o.prisms = behind(scene.prisms);
-    o.polyhedra = behind(scene.polyhedra);
-    o.triangles = behind(scene.triangles);
+    o.balls = carry(regions.balls, o.balls, scene.balls);
+    o.prisms = carry(regions.prisms, o.prisms, scene.prisms);
+    o.polyhedra = carry(regions.polyhedra, o.polyhedra, scene.polyhedra);
+    o.triangles = carry(regions.triangles, o.triangles, scene.triangles);
     scene.objects.push_back(std::move(o));
   }
   return scene;
