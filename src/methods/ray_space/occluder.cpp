@@ -183,10 +183,13 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
     auto const& k = *frame.cell_slice(row, column);
     SlicePoint const upper{for_top.low[c], for_top.high[c], top - slack, top + slack};
     SlicePoint const lower{for_bottom.low[c], for_bottom.high[c], bottom - slack, bottom + slack};
-    gates_[c] = {top_end(least_upper_tangent(k, upper), least_lower_tangent(k, upper), k, back),
-                 open_below ? open_bottom
-                            : bottom_end(greatest_lower_tangent(k, lower), greatest_upper_tangent(k, lower), k, back),
-                 float_above(safely_above(std::max(upper.u_high, lower.u_high) + back))};
+    double const top_slope = least_upper_tangent(k, upper);
+    double const bottom_slope = open_below ? -infinity : greatest_lower_tangent(k, lower);
+    float const beyond = std::max(beyond_, float_above(safely_above(std::max(upper.u_high, lower.u_high) + back)));
+    if (map.reaches(row, column, top_slope, bottom_slope, beyond)) continue;
+    gates_[c] = {top_end(top_slope, least_lower_tangent(k, upper), k, back),
+                 open_below ? open_bottom : bottom_end(bottom_slope, greatest_upper_tangent(k, lower), k, back),
+                 beyond};
     ++written;
   }
   if (written > 0)
@@ -213,11 +216,13 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
   }
 }
 
-std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map)
+std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box const& owner, Frame const& frame,
+                                  OcclusionMap& map)
 {
-  if (!in_reach(frame, bounds) || !localize(body, frame)) return 0;
+  if (!in_reach(frame, owner) || !localize(body, frame)) return 0;
   auto const box = local_box(frame, bounds);
   if (!box) return 0;
+  beyond_ = &owner == &bounds ? 0 : local_box(frame, owner)->extent.far;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
   for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
   for (auto* const columns_of : {&below_, &above_}) columns_of->resize(points_.size());
@@ -273,7 +278,7 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
     gates_[static_cast<std::size_t>(c)] = {top_end(top.slope, top.separating, k, back),
                                            bottom_end(bottom.slope, bottom.separating, k, back),
-                                           float_above(safely_above(std::max(top.far, bottom.far) + back))};
+                                           std::max(beyond_, float_above(safely_above(std::max(top.far, bottom.far) + back)))};
     ++written;
   }
   if (written > 0)

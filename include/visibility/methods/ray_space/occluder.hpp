@@ -18,7 +18,9 @@ public:
 
   /// Returns the number of pixels written; those in which all of `bounds`, which contains the body, is hidden are left
   /// out, since it can add nothing there. Points out of the domain of the frame make the body no occluder.
-  std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map);
+  /// `owner`: contains `bounds`; the gates hold for what lies beyond it, as bodies inside an object that the cell is in
+  /// block nothing nearer.
+  std::size_t write(Chords const& body, Box const& bounds, Box const& owner, Frame const& frame, OcclusionMap& map);
 
 private:
   /// The extremes of one end of the slices of a pixel. `far`: the largest u.
@@ -46,6 +48,7 @@ private:
   bool is_gap(int column) const;
 
   double floor_;
+  float beyond_ = 0;  // of all gates of the body, at least
   Options options_;
   std::vector<LocalPoint> points_;
   std::vector<double> margin_;
