@@ -34,6 +34,18 @@ GateEnd bottom_end(double slope, double separating, CellSlice const& k, double b
 
 }  // namespace
 
+namespace {
+
+/// Whether the box is so narrow that no pixel has all its lines cross it. At slope t it is at most v1 - v0 + |t| (u1 - u0)
+/// wide, and the lines of a pixel are a column and, at the distance of the box, a row apart. Rounded: a choice.
+bool is_narrower_than_pixels(Frame const& frame, LocalBox const& b)
+{
+  double const widest = b.v1 - b.v0 + frame.t(frame.rows()) * (b.u1 - b.u0);
+  return widest < frame.s(1) - frame.s(0) + (frame.t(1) - frame.t(0)) * std::max(0.0, b.u0);
+}
+
+}  // namespace
+
 bool OccluderWriter::localize(Chords const& body, Frame const& frame)
 {
   points_.clear();
@@ -219,9 +231,9 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
 std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box const& owner, Frame const& frame,
                                   OcclusionMap& map)
 {
-  if (!in_reach(frame, owner) || !localize(body, frame)) return 0;
+  if (!in_reach(frame, owner)) return 0;
   auto const box = local_box(frame, bounds);
-  if (!box) return 0;
+  if (!box || is_narrower_than_pixels(frame, *box) || !localize(body, frame)) return 0;
   beyond_ = &owner == &bounds ? 0 : local_box(frame, owner)->extent.far;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
   for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
@@ -234,7 +246,8 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box con
     for (auto* const bound : {&crossed->low, &crossed->high}) bound->resize(columns + 1);
   std::size_t const plan_points = body.upright ? points_.size() / 2 : points_.size();
   std::size_t written = 0;
-  every_row(frame, *box, [&](int row, int, int) {
+  auto const [first, last] = rows_of(frame, *box);
+  for (int row = first; row < last; ++row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double least = infinity, most = -infinity;
     for (std::size_t i = 0; i < plan_points; ++i) {
@@ -245,18 +258,16 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box con
       least = std::min(least, above_limit_[i]);
       most = std::max(most, below_limit_[i]);
     }
-    if (!(least < most)) return true;
+    if (!(least < most)) continue;
     int const from = frame.columns_from(least), to = frame.columns_below(most);
-    if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)]))
-      return true;
+    if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)])) continue;
     for (std::size_t i = 0; i < plan_points; ++i) {
       below_[i] = frame.columns_below(below_limit_[i]);
       above_[i] = frame.columns_from(above_limit_[i]);
     }
     written +=
       body.upright ? write_upright_row(body, frame, map, row, from, to) : write_row(body, frame, map, row, from, to);
-    return true;
-  });
+  }
   return written;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 /// Which pixels the lines that meet a box in plan belong to. [Leyvand03, section 2.2]; proofs/ray_space.md,
 /// "Footprints".
@@ -48,13 +49,16 @@ inline bool in_reach(Frame const& frame, Box const& box)
   return in_reach(frame.local(box.min)) && in_reach(frame.local(box.max));
 }
 
-/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether
-/// it always returned true. Begins with row `start` if it is one of them.
-template <class InRow>
-bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row, int start = 0)
+/// What rows and columns of a footprint are wider by, for rounding.
+inline double slack_of(Frame const& frame, LocalBox const& b)
 {
-  double const slack =
-    frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)), std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
+  return frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)), std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
+}
+
+/// The rows that the box's footprint meets: from first on, up to but without second.
+inline std::pair<int, int> rows_of(Frame const& frame, LocalBox const& b)
+{
+  double const slack = slack_of(frame, b);
   int first = 0, last = frame.rows();
   if (b.u0 > 0) {
     // Lines with |s| at most that of the frame reach the box with slopes between these.
@@ -64,6 +68,16 @@ bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row, int start 
     first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
     last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
   }
+  return {first, last};
+}
+
+/// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether
+/// it always returned true. Begins with row `start` if it is one of them.
+template <class InRow>
+bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row, int start = 0)
+{
+  double const slack = slack_of(frame, b);
+  auto const [first, last] = rows_of(frame, b);
   auto const visit = [&](int row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double const least = std::min(std::min(t0 * b.u0, t0 * b.u1), std::min(t1 * b.u0, t1 * b.u1));
