@@ -58,16 +58,21 @@ inline double slack_of(Frame const& frame, LocalBox const& b)
 /// The rows that the box's footprint meets: from first on, up to but without second.
 inline std::pair<int, int> rows_of(Frame const& frame, LocalBox const& b)
 {
-  double const slack = slack_of(frame, b);
-  int first = 0, last = frame.rows();
+  // Lines with |s| at most that of the frame reach the box with slopes between these; one that has all its v on one
+  // side, further than lines that fall behind the middle of the cell get, only where u > 0.
+  double const s = frame.s(frame.columns()) + slack_of(frame, b), t = frame.t(frame.rows());
+  double const low = b.v0 - s, high = b.v1 + s, behind = t * std::max(0.0, -b.u0);
+  double t0 = -t, t1 = t;
   if (b.u0 > 0) {
-    // Lines with |s| at most that of the frame reach the box with slopes between these.
-    double const s = frame.s(frame.columns()) + slack, step = frame.t(1) - frame.t(0);
-    double const low = b.v0 - s, high = b.v1 + s;
-    double const t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
-    first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
-    last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
+    t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
+  } else if (low > behind || high < -behind) {
+    if (!(b.u1 > 0)) return {0, 0};
+    (low > behind ? t0 : t1) = (low > behind ? low : high) / b.u1;
   }
+  int const rows = frame.rows();
+  double const step = frame.t(1) - frame.t(0);
+  int const first = std::max(0, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(rows))));
+  int const last = std::min(rows, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(rows))));
   return {first, last};
 }
 
