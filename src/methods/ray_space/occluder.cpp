@@ -210,6 +210,32 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
   return written;
 }
 
+/// Of the open pixels leaves those in which the box that holds the body, as near or as far in it as is best, might reach
+/// higher or lower than the largest gate. Returns whether there is one. Rounded: a choice.
+bool OccluderWriter::leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map, int row, int from,
+                                int to)
+{
+  double const rise = double(box.extent.high) - frame.height(), low = box.extent.low;
+  bool const is_open_below = ground_.front();
+  float const beyond = std::max(beyond_, box.extent.far);
+  std::int32_t any = 0;
+  for (int c = from; c < to; ++c) {
+    auto& open = open_[static_cast<std::size_t>(c)];
+    auto const* const k = frame.cell_slice(row, c);
+    if (open == 0 || k == nullptr || !(box.u0 > k->u_out)) {
+      any |= open;
+      continue;
+    }
+    double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
+    double const bottom = is_open_below ? -infinity
+                          : low >= 0    ? low / (box.u1 - k->u_out)
+                                        : low / (box.u0 - k->u_in);
+    if (map.reaches(row, c, top, bottom, beyond)) open = 0;
+    any |= open;
+  }
+  return any != 0;
+}
+
 bool OccluderWriter::is_gap(int column) const
 {
   auto const c = static_cast<std::size_t>(column);
@@ -261,6 +287,7 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box con
     if (!(least < most)) continue;
     int const from = frame.columns_from(least), to = frame.columns_below(most);
     if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)])) continue;
+    if (!leave_open(*box, frame, map, row, from, to)) continue;
     for (std::size_t i = 0; i < plan_points; ++i) {
       below_[i] = frame.columns_below(below_limit_[i]);
       above_[i] = frame.columns_from(above_limit_[i]);

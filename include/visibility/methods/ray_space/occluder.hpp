@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/methods/ray_space/chords.hpp"
+#include "visibility/methods/ray_space/footprint.hpp"
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 #include "visibility/methods/ray_space/options.hpp"
 
@@ -46,6 +47,7 @@ private:
   void cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to);
   void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps);
   bool is_gap(int column) const;
+  bool leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map, int row, int from, int to);
 
   double floor_;
   float beyond_ = 0;  // of all gates of the body, at least
