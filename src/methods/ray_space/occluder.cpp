@@ -5,7 +5,9 @@
 
 #include <array>
 #include <optional>
+#include <ranges>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace visibility::ray_space {
@@ -123,14 +125,15 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
 
 /// At a constant height every tangent is monotone in the distance, so of the chords that all lines of a pixel cross the
 /// nearest or the farthest gives each end of the gate.
-void OccluderWriter::cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row)
+void OccluderWriter::cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row, int first,
+                                       int last)
 {
   double const scale = frame.half_length() + frame.height(), least_ahead = 0x1p-30 * frame.half_length();
   double const* const s = frame.column_lines();
   double const* const exit = frame.exits(row);
   for (auto const& chord : chords)
     for (auto const& [i, j] : {std::pair(chord.from, chord.to), std::pair(chord.to, chord.from)}) {
-      int const from = above_[j], to = below_[i];
+      int const from = std::max(above_[j], first), to = std::min(below_[i], last);
       if (from >= to) continue;
       LocalPoint const &p = points_[i], &q = points_[j];
       double const margins = margin_[i] + margin_[j];
@@ -176,10 +179,13 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
 {
   std::fill(near_.high.begin() + from, near_.high.begin() + to, infinity);
   std::fill(far_.low.begin() + from, far_.low.begin() + to, -infinity);
-  cross_upright_row(body.edges, frame, row);
+  cross_upright_row(body.edges, frame, row, from, to);
   // Other chords are crossed where no edge is: in pixels of vertices.
-  if (std::find(near_.high.begin() + from, near_.high.begin() + to, infinity) != near_.high.begin() + to)
-    cross_upright_row(body.others, frame, row);
+  auto const lacks = [&](int c) {
+    return open_[static_cast<std::size_t>(c)] != 0 && near_.high[static_cast<std::size_t>(c)] == infinity;
+  };
+  if (std::ranges::any_of(std::views::iota(from, to), lacks))
+    cross_upright_row(body.others, frame, row, from, to);
   double const back = frame.half_length(), scale = back + frame.height();
   double const bottom = points_.front().z, top = points_.back().z;
   double const slack = 0x1p-47 * (std::fabs(bottom) + std::fabs(top) + scale);
@@ -211,29 +217,31 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
 }
 
 /// Of the open pixels leaves those in which the box that holds the body, as near or as far in it as is best, might reach
-/// higher or lower than the largest gate. Returns whether there is one. Rounded: a choice.
-bool OccluderWriter::leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map, int row, int from,
-                                int to)
+/// higher or lower than the largest gate. Returns the columns from the first to the last of them. Rounded: a choice.
+std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map,
+                                               int row, int from, int to)
 {
   double const rise = double(box.extent.high) - frame.height(), low = box.extent.low;
   bool const is_open_below = ground_.front();
   float const beyond = std::max(beyond_, box.extent.far);
-  std::int32_t any = 0;
+  int first = to, last = from;
   for (int c = from; c < to; ++c) {
     auto& open = open_[static_cast<std::size_t>(c)];
+    if (open == 0) continue;
     auto const* const k = frame.cell_slice(row, c);
-    if (open == 0 || k == nullptr || !(box.u0 > k->u_out)) {
-      any |= open;
-      continue;
+    if (k != nullptr && box.u0 > k->u_out) {
+      double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
+      double const bottom = is_open_below ? -infinity
+                            : low >= 0    ? low / (box.u1 - k->u_out)
+                                          : low / (box.u0 - k->u_in);
+      if (map.reaches(row, c, top, bottom, beyond)) open = 0;
     }
-    double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
-    double const bottom = is_open_below ? -infinity
-                          : low >= 0    ? low / (box.u1 - k->u_out)
-                                        : low / (box.u0 - k->u_in);
-    if (map.reaches(row, c, top, bottom, beyond)) open = 0;
-    any |= open;
+    if (k == nullptr) open = 0;
+    if (open == 0) continue;
+    first = std::min(first, c);
+    last = c + 1;
   }
-  return any != 0;
+  return {first, last};
 }
 
 bool OccluderWriter::is_gap(int column) const
@@ -242,12 +250,13 @@ bool OccluderWriter::is_gap(int column) const
   return top_[c].slope == -infinity || bottom_[c].slope == infinity;
 }
 
-void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps)
+void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, int first, int last,
+                                bool only_gaps)
 {
   for (auto const& chord : chords) {
     std::size_t const a = chord.from, b = chord.to;
     for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
-      int const from = above_[j], to = below_[i];
+      int const from = std::max(above_[j], first), to = std::min(below_[i], last);
       if (from >= to) continue;
       cross_row(frame, row, {i, j, chord.top, chord.bottom, ground_[a] && ground_[b], only_gaps}, from, to);
     }
@@ -285,9 +294,10 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box con
       most = std::max(most, below_limit_[i]);
     }
     if (!(least < most)) continue;
-    int const from = frame.columns_from(least), to = frame.columns_below(most);
+    int from = frame.columns_from(least), to = frame.columns_below(most);
     if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)])) continue;
-    if (!leave_open(*box, frame, map, row, from, to)) continue;
+    std::tie(from, to) = leave_open(*box, frame, map, row, from, to);
+    if (from >= to) continue;
     for (std::size_t i = 0; i < plan_points; ++i) {
       below_[i] = frame.columns_below(below_limit_[i]);
       above_[i] = frame.columns_from(above_limit_[i]);
@@ -305,8 +315,8 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
     bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
   }
-  add_chords(body.edges, frame, row, false);
-  add_chords(body.others, frame, row, true);
+  add_chords(body.edges, frame, row, from, to, false);
+  add_chords(body.others, frame, row, from, to, true);
   std::size_t written = 0;
   double const back = frame.half_length();
   for (int c = from; c < to; ++c) {

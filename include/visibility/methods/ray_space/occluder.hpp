@@ -5,6 +5,7 @@
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 #include "visibility/methods/ray_space/options.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace visibility::ray_space {
@@ -42,12 +43,13 @@ private:
 
   bool localize(Chords const& body, Frame const& frame);
   std::size_t write_upright_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
-  void cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row);
+  void cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row, int from, int to);
   std::size_t write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
   void cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to);
-  void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps);
+  void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, int from, int to, bool only_gaps);
   bool is_gap(int column) const;
-  bool leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map, int row, int from, int to);
+  std::pair<int, int> leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map, int row, int from,
+                                 int to);
 
   double floor_;
   float beyond_ = 0;  // of all gates of the body, at least
