@@ -324,9 +324,10 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     if (is_gap(c)) continue;
     auto const& k = *frame.cell_slice(row, c);
     auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
+    float const beyond = std::max(beyond_, float_above(safely_above(std::max(top.far, bottom.far) + back)));
+    if (map.reaches(row, c, top.slope, bottom.slope, beyond)) continue;
     gates_[static_cast<std::size_t>(c)] = {top_end(top.slope, top.separating, k, back),
-                                           bottom_end(bottom.slope, bottom.separating, k, back),
-                                           std::max(beyond_, float_above(safely_above(std::max(top.far, bottom.far) + back)))};
+                                           bottom_end(bottom.slope, bottom.separating, k, back), beyond};
     ++written;
   }
   if (written > 0)
