@@ -38,8 +38,8 @@ GateEnd bottom_end(double slope, double separating, CellSlice const& k, double b
 
 namespace {
 
-/// Whether the box is so narrow that no pixel has all its lines cross it. At slope t it is at most v1 - v0 + |t| (u1 - u0)
-/// wide, and the lines of a pixel are a column and, at the distance of the box, a row apart. Rounded: a choice.
+/// Whether the box is so narrow that no pixel has all its lines cross it. At slope t it is at most v1 - v0 + |t| (u1 -
+/// u0) wide, and the lines of a pixel are a column and, at the distance of the box, a row apart. Rounded: a choice.
 bool is_narrower_than_pixels(Frame const& frame, LocalBox const& b)
 {
   double const widest = b.v1 - b.v0 + frame.t(frame.rows()) * (b.u1 - b.u0);
@@ -184,8 +184,7 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
   auto const lacks = [&](int c) {
     return open_[static_cast<std::size_t>(c)] != 0 && near_.high[static_cast<std::size_t>(c)] == infinity;
   };
-  if (std::ranges::any_of(std::views::iota(from, to), lacks))
-    cross_upright_row(body.others, frame, row, from, to);
+  if (std::ranges::any_of(std::views::iota(from, to), lacks)) cross_upright_row(body.others, frame, row, from, to);
   double const back = frame.half_length(), scale = back + frame.height();
   double const bottom = points_.front().z, top = points_.back().z;
   double const slack = 0x1p-47 * (std::fabs(bottom) + std::fabs(top) + scale);
@@ -216,8 +215,9 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
   return written;
 }
 
-/// Of the open pixels leaves those in which the box that holds the body, as near or as far in it as is best, might reach
-/// higher or lower than the largest gate. Returns the columns from the first to the last of them. Rounded: a choice.
+/// Of the open pixels leaves those in which the box that holds the body, as near or as far in it as is best, might
+/// reach higher or lower than the largest gate. Returns the columns from the first to the last of them. Rounded: a
+/// choice.
 std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map,
                                                int row, int from, int to)
 {
@@ -231,9 +231,7 @@ std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const&
     auto const* const k = frame.cell_slice(row, c);
     if (k != nullptr && box.u0 > k->u_out) {
       double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
-      double const bottom = is_open_below ? -infinity
-                            : low >= 0    ? low / (box.u1 - k->u_out)
-                                          : low / (box.u0 - k->u_in);
+      double const bottom = is_open_below ? -infinity : low >= 0 ? low / (box.u1 - k->u_out) : low / (box.u0 - k->u_in);
       if (map.reaches(row, c, top, bottom, beyond)) open = 0;
     }
     if (k == nullptr) open = 0;
@@ -263,13 +261,13 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
   }
 }
 
-std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Box const& owner, Frame const& frame,
-                                  OcclusionMap& map)
+std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map,
+                                  Box const* inside)
 {
-  if (!in_reach(frame, owner)) return 0;
+  if (!in_reach(frame, inside != nullptr ? *inside : bounds)) return 0;
   auto const box = local_box(frame, bounds);
   if (!box || is_narrower_than_pixels(frame, *box) || !localize(body, frame)) return 0;
-  beyond_ = &owner == &bounds ? 0 : local_box(frame, owner)->extent.far;
+  beyond_ = inside != nullptr ? local_box(frame, *inside)->extent.far : 0;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
   for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
   for (auto* const columns_of : {&below_, &above_}) columns_of->resize(points_.size());

@@ -164,7 +164,7 @@ bool Search::enter_occluder(std::uint32_t object, std::uint32_t i)
   occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
   ++counts_.occluders;
   for (std::size_t f = 0; f < frames_.size(); ++f)
-    counts_.pixels += writer_.write(chords_, bounds, blocks ? bounds : owner, frames_[f], maps_[f]);
+    counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f], blocks ? nullptr : &owner);
   return true;
 }
 

@@ -20,9 +20,9 @@ public:
 
   /// Returns the number of pixels written; those in which all of `bounds`, which contains the body, is hidden are left
   /// out, since it can add nothing there. Points out of the domain of the frame make the body no occluder.
-  /// `owner`: contains `bounds`; the gates hold for what lies beyond it, as bodies inside an object that the cell is in
-  /// block nothing nearer.
-  std::size_t write(Chords const& body, Box const& bounds, Box const& owner, Frame const& frame, OcclusionMap& map);
+  /// `inside`: null, or a box that contains `bounds`: then the gates hold for what lies beyond it alone.
+  std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map,
+                    Box const* inside = nullptr);
 
 private:
   /// The extremes of one end of the slices of a pixel. `far`: the largest u.
