@@ -40,6 +40,7 @@
 #include "visibility/scene/convex_bodies.hpp"
 #include "visibility/scene/convex_cover.hpp"
 #include "visibility/scene/exposed_lines.hpp"
+#include "visibility/scene/exposed_object.hpp"
 #include "visibility/scene/exposed_parts.hpp"
 #include "visibility/scene/faces.hpp"
 #include "visibility/scene/footprint.hpp"
