@@ -8,10 +8,10 @@
 #include "visibility/kernel/layers.hpp"
 #include "visibility/kernel/number_types.hpp"
 #include "visibility/kernel/point.hpp"
+#include "visibility/kernel/processor_seconds.hpp"
 #include "visibility/kernel/sign.hpp"
 #include "visibility/kernel/structural_zero.hpp"
 #include "visibility/kernel/tally.hpp"
-#include "visibility/kernel/thread_seconds.hpp"
 
 #include "visibility/predicates/direction_side.hpp"
 #include "visibility/predicates/in_ball.hpp"
