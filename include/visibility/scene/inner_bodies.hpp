@@ -15,7 +15,7 @@ namespace visibility {
 ///
 /// For a view cell that satisfies both conditions below, a half-open sight line [p, s) from the interior of the cell
 /// that meets the closed body meets a primitive of the object: an additional occluder, which changes nothing that is
-/// true. For other cells it must not be used.
+/// true. Other cells: Occluders::blocks_beyond_owner alone.
 struct InnerBody {
   std::variant<ConvexPrism, ConvexPolyhedron> shape;
   double floor = 0;  ///< the cell must lie in z >= floor; -infinity if the object encloses the body from below

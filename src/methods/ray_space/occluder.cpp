@@ -53,6 +53,7 @@ bool OccluderWriter::localize(Chords const& body, Frame const& frame)
   points_.clear();
   margin_.clear();
   ground_.clear();
+  stands_ = false;
   bool ahead = false;
   for (auto const& p : body.points) {
     LocalPoint const q = frame.local(p);
@@ -62,6 +63,7 @@ bool OccluderWriter::localize(Chords const& body, Frame const& frame)
     points_.push_back(q);
     margin_.push_back(frame.margin(q));
     ground_.push_back(p.z <= floor_);
+    stands_ |= ground_.back();
   }
   return ahead;
 }
@@ -222,7 +224,6 @@ std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const&
                                                int row, int from, int to)
 {
   double const rise = double(box.extent.high) - frame.height(), low = box.extent.low;
-  bool const is_open_below = ground_.front();
   float const beyond = std::max(beyond_, box.extent.far);
   int first = to, last = from;
   for (int c = from; c < to; ++c) {
@@ -231,7 +232,7 @@ std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const&
     auto const* const k = frame.cell_slice(row, c);
     if (k != nullptr && box.u0 > k->u_out) {
       double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
-      double const bottom = is_open_below ? -infinity : low >= 0 ? low / (box.u1 - k->u_out) : low / (box.u0 - k->u_in);
+      double const bottom = stands_ ? -infinity : low >= 0 ? low / (box.u1 - k->u_out) : low / (box.u0 - k->u_in);
       if (map.reaches(row, c, top, bottom, beyond)) open = 0;
     }
     if (k == nullptr) open = 0;

@@ -57,6 +57,7 @@ private:
   std::vector<LocalPoint> points_;
   std::vector<double> margin_;
   std::vector<bool> ground_;
+  bool stands_ = false;                            // whether any point is on the ground
   std::vector<double> below_limit_, above_limit_;  // per point: lines with s up to the one pass below it, from the
                                                    // other on above
   std::vector<int> below_, above_;                 // the same in columns: [0, below) and from `above` on
