@@ -12,7 +12,7 @@ namespace {
 Box box_around(std::vector<Point3d> const& points, Frame const& frame)
 {
   Box out;
-  for (auto const& p : points) out.extend(frame(Box{p, p}));
+  for (auto const& p : points) out.extend(frame.around(p));
   return out;
 }
 
