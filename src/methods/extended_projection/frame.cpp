@@ -133,4 +133,12 @@ std::array<Frame, 6> frames_of(ViewCell const& cell)
   return out;
 }
 
+std::array<Frame, 6> frames_for(ViewCell const& cell, Directions directions)
+{
+  if (directions == Directions::axes) return frames;
+  auto const along = frames_of(cell);
+  // Along tilted cells planes see less of what stands upright (docs/measurements.md, "Planes along tilted cells").
+  return directions == Directions::cell || along[0].turn.keeps_heights() ? along : frames;
+}
+
 }  // namespace visibility::extended_projection

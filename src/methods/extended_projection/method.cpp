@@ -7,7 +7,6 @@
 #include "visibility/methods/extended_projection/plane_choice.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace visibility {
 
@@ -29,15 +28,6 @@ constexpr double infinite_distance = 0x1p24;
 /// What is nearer to the cell than this share of the size of scene and cell is not projected to infinity.
 constexpr double nearest_to_infinity = 0x1p-24;
 
-/// Along tilted cells planes stand only if asked for: they see less of what stands upright (docs/measurements.md,
-/// "Planes along tilted cells").
-std::array<Frame, 6> directions(ViewCell const& cell, Directions chosen)
-{
-  auto const along = frames_of(cell);
-  bool const stand = chosen == Directions::cell || (chosen == Directions::automatic && along[0].turn.keeps_heights());
-  return stand ? along : frames;
-}
-
 /// The maps of one cell, filled from occluders of the largest solid angle first.
 class Maps {
 public:
@@ -47,7 +37,7 @@ public:
   {
     cells_.reserve(frames.size());
     if (options.infinity) projector_.cut_nearer_than(nearest_to_infinity * size());
-    for (auto const& f : directions(cell, options.directions)) cells_.emplace_back(f, cell);
+    for (auto const& f : frames_for(cell, options.directions)) cells_.emplace_back(f, cell);
     auto const selected = select_occluders(scene, cell, options.occluders, among);
     for (auto const& c : cells_)
       if (options.infinity)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/geometry/box.hpp"
+#include "visibility/methods/extended_projection/options.hpp"
 #include "visibility/scene/view_cell.hpp"
 
 #include <algorithm>
@@ -100,5 +101,7 @@ inline constexpr std::array<Frame, 6> frames{{{axis_y, axis_z, axis_x, true},
 /// The six directions for a cell: those of its sides if it is a box in any position, upright or tilted, or nearly so
 /// [Durand00, 2.4]; otherwise those along the axes. Of a tilted one the third axis is the steepest. A choice.
 std::array<Frame, 6> frames_of(ViewCell const& cell);
+/// These or those along the axes, as the option says.
+std::array<Frame, 6> frames_for(ViewCell const& cell, Directions directions);
 
 }  // namespace visibility::extended_projection

@@ -17,7 +17,7 @@ enum class Reprojection {
 /// Along what the planes of a cell stand that is a box in any position [Durand00, 2.4]; of all other cells they stand
 /// along the axes.
 enum class Directions {
-  automatic,  ///< what has smaller sets: the sides of upright cells for extended projections, otherwise the axes
+  automatic,  ///< what has smaller sets: the sides of upright cells, otherwise the axes
   cell,
   axes
 };
