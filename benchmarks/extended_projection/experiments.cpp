@@ -145,26 +145,49 @@ void city(Report& report, Size size)
   table.notes.emplace_back("ns a pixel: all of the time, over pixels written.");
 }
 
-void oriented(Report& report, Size size)
+namespace {
+
+/// A row of a table of directions: both methods with planes along the axes and along the cells.
+template <class Table>
+void add_directions(Table& table, Model const& m, std::vector<ViewCell> const& cells, double degrees, double length)
 {
-  bool const full = size == Size::full;
-  auto& table =
-    report.table("Section 2.4: planes along the axes and along street cells, a district and its cells turned",
-                 {"degrees", "length, m", "projection, axes", "ms", "projection, cell", "ms ", "sweep, axes", "ms  ",
-                  "sweep, cell", "ms   "});
   Options axes, along;
   axes.directions = visibility::extended_projection::Directions::axes;
   along.directions = visibility::extended_projection::Directions::cell;
+  auto const p = measure(m, cells, ExtendedProjection(axes)), q = measure(m, cells, ExtendedProjection(along));
+  auto const s = measure(m, cells, OcclusionSweep(axes)), t = measure(m, cells, OcclusionSweep(along));
+  table.add({degrees, length, p.visible, 1e3 * p.seconds, q.visible, 1e3 * q.seconds, s.visible, 1e3 * s.seconds,
+             t.visible, 1e3 * t.seconds});
+}
+
+std::vector<std::string> const direction_columns{"degrees",          "length, m", "projection, axes", "ms",
+                                                 "projection, cell", "ms ",       "sweep, axes",      "ms  ",
+                                                 "sweep, cell",      "ms   "};
+
+}  // namespace
+
+void oriented(Report& report, Size size)
+{
+  bool const full = size == Size::full;
+  auto& table = report.table(
+    "Section 2.4: planes along the axes and along street cells, a district and its cells turned", direction_columns);
   for (int const degrees : full ? std::vector{0, 10, 30, 45} : std::vector{30}) {
     Model const m((full ? "district,copies=4,rotation=" : "district,rotation=") + std::to_string(degrees), true);
-    for (double const length : {4.0, 40.0}) {
-      auto const cells = turned_street_cells(full ? 8 : 1, length, degrees);
-      auto const p = measure(m, cells, ExtendedProjection(axes)), q = measure(m, cells, ExtendedProjection(along));
-      auto const s = measure(m, cells, OcclusionSweep(axes)), t = measure(m, cells, OcclusionSweep(along));
-      table.add({double(degrees), length, p.visible, 1e3 * p.seconds, q.visible, 1e3 * q.seconds, s.visible,
-                 1e3 * s.seconds, t.visible, 1e3 * t.seconds});
-    }
+    for (double const length : {4.0, 40.0})
+      add_directions(table, m, turned_street_cells(full ? 8 : 1, length, degrees), degrees, length);
   }
+  table.notes.push_back("Visible objects of " + std::to_string(full ? 400 : 100) + ".");
+}
+
+void tilted(Report& report, Size size)
+{
+  bool const full = size == Size::full;
+  auto& table = report.table(
+    "Section 2.4: planes along the axes and along cells that rise along their street, a district", direction_columns);
+  Model const m(full ? "district,copies=4" : "district", true);
+  for (int const degrees : full ? std::vector{2, 10, 30} : std::vector{10})
+    for (double const length : {4.0, 40.0})
+      add_directions(table, m, tilted_street_cells(full ? 8 : 1, length, degrees), degrees, length);
   table.notes.push_back("Visible objects of " + std::to_string(full ? 400 : 100) + ".");
 }
 

@@ -42,6 +42,22 @@ std::vector<ViewCell> turned_street_cells(int count, double length, double degre
   return cells;
 }
 
+std::vector<ViewCell> tilted_street_cells(int count, double length, double degrees)
+{
+  double const angle = degrees * 3.14159265358979323846 / 180, c = std::cos(angle), s = std::sin(angle);
+  std::vector<ViewCell> cells;
+  for (int i = 0; i < count; ++i) {
+    double const at = 10 + 4.0 * (i / 2);
+    std::vector<Point3d> corners;
+    for (auto const& p : Box{{0, -3, 0}, {length, 3, 1.5}}.corners()) {
+      double const along = at + c * p.x - s * (p.z - 1.5), z = 0.5 + s * p.x + c * p.z;
+      corners.push_back(i % 2 == 0 ? Point3d{along, p.y, z} : Point3d{p.y, along, z});
+    }
+    cells.push_back(ViewCell::hull(corners));
+  }
+  return cells;
+}
+
 std::vector<ViewCell> crown_cells(int count, double side)
 {
   std::vector<ViewCell> cells;

@@ -30,6 +30,8 @@ struct Model {
 std::vector<ViewCell> street_cells(int count, double bottom = 0.5);
 /// Such cells of another length, of a district turned about the vertical by so many degrees.
 std::vector<ViewCell> turned_street_cells(int count, double length, double degrees);
+/// Such cells 6 m wide that rise along the street by so many degrees, from half a metre above the ground.
+std::vector<ViewCell> tilted_street_cells(int count, double length, double degrees);
 /// Cubes among the crowns of the forest, in the free square about the origin.
 std::vector<ViewCell> crown_cells(int count, double side);
 

@@ -51,6 +51,7 @@
 #include "visibility/scene/meets_cell.hpp"
 #include "visibility/scene/moving_objects.hpp"
 #include "visibility/scene/object.hpp"
+#include "visibility/scene/object_outlines.hpp"
 #include "visibility/scene/object_selection.hpp"
 #include "visibility/scene/occludees.hpp"
 #include "visibility/scene/occluders.hpp"

@@ -75,7 +75,7 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
                    "extended-projection: do not add those of objects that are still visible");
   command
     .add_option("--directions", o.directions,
-                "extended-projection: planes along the sides of a cell that is a turned box (cell) or along the axes "
+                "planes along the sides of a cell that is a turned or tilted box (cell) or along the axes "
                 "(axes); default automatic")
     ->transform(CLI::CheckedTransformer(
       std::map<std::string, extended_projection::Directions>{{"automatic", extended_projection::Directions::automatic},

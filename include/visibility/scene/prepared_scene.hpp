@@ -2,6 +2,7 @@
 
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
+#include "visibility/scene/object_outlines.hpp"
 #include "visibility/scene/occluders.hpp"
 
 #include <optional>
@@ -23,7 +24,8 @@ public:
   Scene const& scene() const { return bodies_.scene(); }
   ConvexBodies const& bodies() const { return bodies_; }
   Occluders const& occluders() const { return occluders_; }
-  std::span<Box const> object_bounds() const { return object_bounds_; }            ///< outward, one per object
+  std::span<Box const> object_bounds() const { return object_bounds_; }  ///< outward, one per object
+  ObjectOutlines const& object_outlines() const { return object_outlines_; }
   BoundingHierarchy const& object_hierarchy() const { return object_hierarchy_; }  ///< items: positions in objects
   /// Items: positions in bodies(). The object hierarchy carried further: node i there holds the objects of which node i
   /// here holds the bodies.
@@ -37,7 +39,7 @@ public:
 private:
   PreparedScene(Scene const& scene, InnerBodyOptions const* options)
     : bodies_(scene), occluders_(options != nullptr ? Occluders(bodies_, *options) : Occluders(bodies_)),
-      object_bounds_(bounds_of_objects(bodies_)), object_hierarchy_(object_bounds_),
+      object_bounds_(bounds_of_objects(bodies_)), object_outlines_(bodies_), object_hierarchy_(object_bounds_),
       body_hierarchy_(object_hierarchy_, bodies_.first_of_object(), bodies_.bounds())
   {
     if (occluders_.inner_count() > 0)
@@ -54,6 +56,7 @@ private:
   ConvexBodies bodies_;
   Occluders occluders_;
   std::vector<Box> object_bounds_;
+  ObjectOutlines object_outlines_;
   BoundingHierarchy object_hierarchy_, body_hierarchy_;
   std::optional<BoundingHierarchy> occluder_hierarchy_;
 };

@@ -12,7 +12,7 @@ namespace {
 Box box_around(std::vector<Point3d> const& points, Frame const& frame)
 {
   Box out;
-  for (auto const& p : points) out.extend(frame(Box{p, p}));
+  for (auto const& p : points) out.extend(frame.around(p));
   return out;
 }
 
@@ -44,8 +44,14 @@ Box occluder_box(Occluders const& occluders, std::uint32_t occluder, Frame const
 Box object_box(PreparedScene const& scene, std::uint32_t object, Frame const& frame)
 {
   auto const first = scene.bodies().first_of_object()[object], last = scene.bodies().first_of_object()[object + 1];
-  if (!frame.is_turned() || last - first > most_occludee_bodies) return frame(scene.object_bounds()[object]);
+  Box const& bounds = scene.object_bounds()[object];
+  if (!frame.is_turned()) return frame(bounds);
   Box out;
+  if (last - first > most_occludee_bodies) {
+    for (auto const& p : scene.object_outlines().of(object))
+      for (double const z : {bounds.min.z, bounds.max.z}) out.extend(frame.around({p.x, p.y, z}));
+    return out;
+  }
   for (auto b = first; b < last; ++b) out.extend(body_box(scene.bodies(), b, frame));
   return out;
 }

@@ -15,7 +15,7 @@ void add_once(std::vector<Point2d>& points, Point2d const& p)
 
 CellViews::CellViews(Frame const& f, ViewCell const& cell) : frame(f), is_box(cell.is_box() || f.is_turned())
 {
-  for (auto const& p : cell.vertices()) bounds.extend(f(Box{p, p}));
+  for (auto const& p : cell.vertices()) bounds.extend(f.around(p));
   near = bounds.max.z;
   if (f.is_turned()) {
     auto const corners = bounds.corners();

@@ -37,8 +37,7 @@ public:
   {
     cells_.reserve(frames.size());
     if (options.infinity) projector_.cut_nearer_than(nearest_to_infinity * size());
-    for (auto const& f : options.directions == Directions::axes ? frames : frames_of(cell))
-      cells_.emplace_back(f, cell);
+    for (auto const& f : frames_for(cell, options.directions)) cells_.emplace_back(f, cell);
     auto const selected = select_occluders(scene, cell, options.occluders, among);
     for (auto const& c : cells_)
       if (options.infinity)

@@ -20,6 +20,12 @@ constexpr double nearest_share = 0x1p-10;
 /// How far upright solids are carried down, in heights of scene and cell.
 constexpr double depth_below = 64;
 
+/// In tilted frames the way down leads away from the cell, or towards it: by so many of these heights at most.
+constexpr double most_depth_away = 1;
+
+/// And where down is as steep as this, solids are not carried.
+constexpr double steepest = 0.75;
+
 /// Points inside the ball: of its cube and its octahedron, a little smaller, so that rounding leaves them inside.
 void append_inner_points(Ball const& b, std::vector<Point3d>& out)
 {
@@ -43,7 +49,7 @@ OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const&
   Box const& all = scene.object_hierarchy().nodes()[0].bounds;
   ground_ = all.min.z;
   is_above_ground_ = cell.bounds().min.z >= ground_;
-  deep_ = ground_ - depth_below * (std::max(all.max.z, cell.bounds().max.z) - ground_);
+  height_ = std::max(all.max.z, cell.bounds().max.z) - ground_;
 }
 
 void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
@@ -55,12 +61,14 @@ void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
     else
       append_vertices(shape, vertices_);
   });
-  if (frame.has_vertical_v() && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_) carry_down();
+  double const rise = std::fabs(frame.rise());
+  if (rise < steepest && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_)
+    carry_down(ground_ - height_ * std::min(depth_below, most_depth_away / rise));
 }
 
 /// If every vertex lies above the hull's side on the ground, the hull is what lies between its upper side and the
 /// ground.
-void OccluderProjector::carry_down()
+void OccluderProjector::carry_down(double deep)
 {
   constexpr std::size_t most = 64;
   if (vertices_.size() > most) return;
@@ -78,7 +86,7 @@ void OccluderProjector::carry_down()
     if (side.size() < 3 || !std::ranges::all_of(vertices_, is_above)) return;
   }
   for (auto& p : vertices_)
-    if (p.z == ground_) p.z = deep_;
+    if (p.z == ground_) p.z = deep;
 }
 
 std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double until)
@@ -92,7 +100,7 @@ std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double 
   double most_off = 0;
   for (auto const& p : vertices_) {
     double const off = cell.frame.error(p);
-    part_.push_back({cell.frame(p), off, cell.frame.has_vertical_v() ? off : 0});
+    part_.push_back({cell.frame(p), off, cell.frame.depth_error(p)});
     most_off = std::max(most_off, part_.back().depth_error);
   }
   double const least = nearest(part_), greatest = deepest(part_);

@@ -143,7 +143,7 @@ PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& ce
                                   ObjectSelection const* among)
 {
   Sweeps sweeps(scene, cell, options, among);
-  for (auto const& frame : options.directions == Directions::cell ? frames_of(cell) : frames) sweeps.run(frame);
+  for (auto const& frame : frames_for(cell, options.directions)) sweeps.run(frame);
   return sweeps.result();
 }
 

@@ -30,12 +30,12 @@ public:
 
 private:
   void collect(std::uint32_t occluder, Frame const& frame);
-  void carry_down();
+  void carry_down(double deep);
 
   PreparedScene const* scene_;
   ViewCell const* cell_;
   bool is_above_ground_;
-  double ground_, deep_;
+  double ground_, height_;
   double nearest_ = 0;             // 0: a share of the distance
   std::vector<Point3d> vertices_;  // scratch
   ConvexPart part_;                // scratch

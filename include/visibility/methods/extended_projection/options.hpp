@@ -14,10 +14,10 @@ enum class Reprojection {
   convolution  ///< the paper's: one kernel, the image of an equivalent flat cell, which contains the cell's views
 };
 
-/// Along what the planes of a cell stand that is an upright box in any position [Durand00, 2.4]; of all other cells
-/// they stand along the axes.
+/// Along what the planes of a cell stand that is a box in any position [Durand00, 2.4]; of all other cells they stand
+/// along the axes.
 enum class Directions {
-  automatic,  ///< the sides of the cell for extended projections, the axes for a sweep: what has smaller sets
+  automatic,  ///< what has smaller sets: the sides of upright cells, otherwise the axes
   cell,
   axes
 };
