@@ -69,15 +69,19 @@ public:
   }
 
 private:
-  /// Those with a part between the plane before and this one; of them all that is before this one.
+  /// Those with a part between the plane before and this one, or flat in this one; of them all that is before it.
   void add_occluders(ProjectionMap& map, double before)
   {
     auto const& frame = map.cell().frame;
     auto const& occluders = scene_.occluders();
-    auto const is_between = [&](Box const& b) { return b.max.z > before && b.min.z < map.plane(); };
-    auto const enter = [&](std::uint32_t, Box const& box) { return is_between(frame(box)); };
+    auto const reaches = [&](Box const& b) { return b.max.z > before && b.min.z <= map.plane(); };
+    // What begins at the plane waits for the next one, unless it ends there, too.
+    auto const is_between = [&](Box const& b) {
+      return b.max.z > before && (b.min.z < map.plane() || b.max.z == map.plane());
+    };
+    auto const enter = [&](std::uint32_t, Box const& box) { return reaches(frame(box)); };
     hidden_.walk_rest(enter, [&](std::uint32_t object) {
-      if (!is_between(object_box(scene_, object, frame))) return;
+      if (!reaches(object_box(scene_, object, frame))) return;
       auto const range = worthwhile_occluders(scene_, cell_, object);
       for (auto o = range.first; o < range.last; ++o) {
         Box const b = occluder_box(occluders, o, frame);
