@@ -2,6 +2,7 @@
 
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
+#include "visibility/scene/enclosing_shells.hpp"
 #include "visibility/scene/occluders.hpp"
 
 #include <optional>
@@ -23,6 +24,8 @@ public:
   Scene const& scene() const { return bodies_.scene(); }
   ConvexBodies const& bodies() const { return bodies_; }
   Occluders const& occluders() const { return occluders_; }
+  /// What closed meshes enclose; none unless inner bodies were asked for.
+  EnclosingShells const& shells() const { return shells_; }
   std::span<Box const> object_bounds() const { return object_bounds_; }            ///< outward, one per object
   BoundingHierarchy const& object_hierarchy() const { return object_hierarchy_; }  ///< items: positions in objects
   /// Items: positions in bodies(). The object hierarchy carried further: node i there holds the objects of which node i
@@ -36,7 +39,9 @@ public:
 
 private:
   PreparedScene(Scene const& scene, InnerBodyOptions const* options)
-    : bodies_(scene), occluders_(options != nullptr ? Occluders(bodies_, *options) : Occluders(bodies_)),
+    : bodies_(scene), shells_(options != nullptr && options->shells ? EnclosingShells(bodies_, options->max_triangles)
+                                                                    : EnclosingShells()),
+      occluders_(options != nullptr ? Occluders(bodies_, *options) : Occluders(bodies_)),
       object_bounds_(bounds_of_objects(bodies_)), object_hierarchy_(object_bounds_),
       body_hierarchy_(object_hierarchy_, bodies_.first_of_object(), bodies_.bounds())
   {
@@ -52,6 +57,7 @@ private:
   }
 
   ConvexBodies bodies_;
+  EnclosingShells shells_;
   Occluders occluders_;
   std::vector<Box> object_bounds_;
   BoundingHierarchy object_hierarchy_, body_hierarchy_;

@@ -91,6 +91,37 @@ std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
   return pixel_count(spans_);
 }
 
+bool ProjectionMap::slice_seems_useful(Box const& box) const
+{
+  Grid const& g = grid();
+  auto const line = [](double x, double origin, double step, int count) {
+    return std::clamp((x - origin) / step, 0.0, double(count));
+  };
+  PixelRectangle const pixels{static_cast<int>(std::ceil(line(box.min.x, g.origin().x, g.step().x, g.width()))),
+                              static_cast<int>(std::ceil(line(box.min.y, g.origin().y, g.step().y, g.height()))),
+                              static_cast<int>(line(box.max.x, g.origin().x, g.step().x, g.width())),
+                              static_cast<int>(line(box.max.y, g.origin().y, g.step().y, g.height()))};
+  return !map_.hidden(pixels, static_cast<float>(plane_ - cell_->near));
+}
+
+std::int64_t ProjectionMap::add_slice(std::span<ContourEdge const> contours, double error, double at, double low)
+{
+  Grid const& g = grid();
+  // Lines to a point of the map's plane pass the slice's this share of their way from the cell earlier.
+  double const share = at < plane_ ? (plane_ - at) / (plane_ - cell_->near) * (1 + 0x1p-40) : 0;
+  auto const reach = [](double low0, double high0, double low1, double high1) {
+    return std::max(std::fabs(high0 - low1), std::fabs(high1 - low0)) * (1 + 0x1p-40);
+  };
+  Box const& c = cell_->bounds;
+  Point2d const off{error + share * reach(c.min.x, c.max.x, g.origin().x, g.column_line(g.width())),
+                    error + share * reach(c.min.y, c.max.y, g.origin().y, g.row_line(g.height()))};
+  if (!(std::isfinite(off.x) && std::isfinite(off.y))) return 0;
+  double const least = off.y > 0 ? std::nextafter(low + 2 * off.y, inf) : low;
+  auto const spans = inner_even_odd(g, contours, {off.x * (1 + 0x1p-40), off.y * (1 + 0x1p-40)}, least);
+  map_.write(spans, PixelDepth::above(g, {.value = plane_ - cell_->near}));
+  return pixel_count(spans);
+}
+
 bool ProjectionMap::hides(Box const& b) const
 {
   if (!(b.min.z > cell_->near)) return false;

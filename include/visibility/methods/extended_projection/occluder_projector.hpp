@@ -27,6 +27,7 @@ public:
 
   bool is_above_ground() const { return is_above_ground_; }
   double ground() const { return ground_; }
+  double deep() const { return deep_; }  ///< how far down it carries what stands on the ground
 
 private:
   void collect(std::uint32_t occluder, Frame const& frame);

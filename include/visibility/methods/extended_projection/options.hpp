@@ -30,6 +30,7 @@ struct Options {
   std::size_t occluders = 1000;  ///< convex bodies of the largest solid angle that are projected for a cell
   bool more_occluders = true;    ///< then those of objects that are still visible, too [Durand00, 6.1]
   bool improved = true;          ///< the repaired improved Projection of occludees [Durand00, 4]
+  bool slices = true;            ///< sections of closed meshes with the planes [Durand00, 3.3]
   double kernel = 5;  ///< of a sweep: planes are so far apart that the cell's image is this many pixels [Durand00, 5.2]
   Directions directions = Directions::automatic;
   Reprojection reprojection = Reprojection::windows;  ///< of a sweep

@@ -2,6 +2,7 @@
 
 #include "visibility/methods/extended_projection/convex_part.hpp"
 #include "visibility/methods/extended_projection/options.hpp"
+#include "visibility/raster/contours.hpp"
 #include "visibility/raster/hierarchical_depth_map.hpp"
 #include "visibility/raster/pixel_region.hpp"
 
@@ -33,6 +34,14 @@ public:
   /// Depth of its farthest point. Requires: near < w for all of the part, which is on one side of the plane.
   /// Returns the number of pixels.
   std::int64_t add(std::span<PartPoint const> part);
+  /// Whether the section of a box of the frame with the plane has a pixel where the map does not hold something nearer
+  /// than the plane. A choice.
+  bool slice_seems_useful(Box const& box) const;
+  /// Adds a region of the plane w = `at` that sight lines reach through an occluder only: from all of the cell to each
+  /// point (u, v, at) inside the contours they meet an occluder at w <= at. Contours as in inner_even_odd, `error` of
+  /// their points; it is seen on the map's plane, and its depth is that of the map's plane.
+  /// Requires: near < at <= plane. Returns the number of pixels.
+  std::int64_t add_slice(std::span<ContourEdge const> contours, double error, double at, double low);
   /// Brings the pyramid up to date: queries are right before it, and fast after.
   void refresh() { map_.refresh(); }
 
@@ -40,8 +49,8 @@ public:
   /// Through the Projection of the box, the bounding rectangle of its views [Durand00, 3.1].
   bool hides(Box const& box) const;
   /// The same through the improved Projection [Durand00, 4.2], from the cell's side next to the plane, which the paper
-  /// leaves out (proofs/extended_projection.md, "Improved Projection"). Requires: a box cell; nothing but
-  /// convex parts was added. Of a map that came from another, boxes that reach before that one's plane are not hidden.
+  /// leaves out (proofs/extended_projection.md, "Improved Projection"). Requires: a box cell. Of a map that came from
+  /// another, boxes that reach before that one's plane are not hidden.
   bool hides_improved(Box const& box) const;
 
 private:
