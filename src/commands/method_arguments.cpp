@@ -92,6 +92,9 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
     "occlusion-sweep: from plane to plane by one kernel for all pixels, as the paper does");
   command.add_flag("--infinity", o.infinity,
                    "extended-projection: one plane at infinity in each direction, the fuzzy projection of Lim");
+  command.add_option("--depth", o.depth, "extended-projection: depths of occluders by part (default), or by pixel")
+    ->transform(CLI::CheckedTransformer(std::map<std::string, extended_projection::PartDepth>{
+      {"part", extended_projection::PartDepth::part}, {"pixel", extended_projection::PartDepth::pixel}}));
   command.add_flag("!--no-slices", o.slices, "extended-projection: without sections of closed meshes with the planes");
   command.add_flag("!--no-improved", o.improved, "extended-projection: without the improved Projection of occludees");
 }
@@ -109,6 +112,7 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
     {"occluders", std::to_string(o.occluders)},
     {"more-occluders", o.more_occluders ? "on" : "off"},
     {"kernel", std::to_string(o.kernel)},
+    {"depth", o.depth == extended_projection::PartDepth::part ? "part" : "pixel"},
     {"slices", o.slices ? "on" : "off"},
     {"improved", o.improved ? "on" : "off"},
     {"directions", directions},

@@ -34,7 +34,7 @@ constexpr double nearest_to_infinity = 0x1p-24;
 class Maps {
 public:
   Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
-    : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell),
+    : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell, options.depth),
       slices_(scene, cell, projector_), with_slices_(options.slices && !options.infinity && scene.shells().size() > 0),
       sliced_(with_slices_ ? scene.scene().objects.size() : 0), added_(scene.occluders().size()),
       at_infinity_(options.infinity)

@@ -28,8 +28,9 @@ class Sweeps {
 public:
   /// What is not `among` the objects of interest, if these are given, is taken as hidden.
   Sweeps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
-    : scene_(scene), cell_(cell), options_(options), projector_(scene, cell), slices_(scene, cell, projector_),
-      important_(select_occluders(scene, cell, most_important, among)), hidden_(scene, cell, among)
+    : scene_(scene), cell_(cell), options_(options), projector_(scene, cell, options.depth),
+      slices_(scene, cell, projector_), important_(select_occluders(scene, cell, most_important, among)),
+      hidden_(scene, cell, among)
   {
   }
 

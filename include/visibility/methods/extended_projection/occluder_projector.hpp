@@ -15,7 +15,7 @@ namespace visibility::extended_projection {
 /// parts of a plane below the ground are covered (proofs/extended_projection.md, "Ground").
 class OccluderProjector {
 public:
-  OccluderProjector(PreparedScene const& scene, ViewCell const& cell);
+  OccluderProjector(PreparedScene const& scene, ViewCell const& cell, PartDepth depth = PartDepth::part);
 
   /// Adds the occluder, or its part with w <= until, to the map; returns the number of pixels written.
   /// Requires: the occluder blocks from the cell (Occluders::blocks_from).
@@ -35,6 +35,7 @@ private:
 
   PreparedScene const* scene_;
   ViewCell const* cell_;
+  PartDepth depth_;
   bool is_above_ground_;
   double ground_, deep_;
   double nearest_ = 0;             // 0: a share of the distance

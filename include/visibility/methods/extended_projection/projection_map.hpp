@@ -31,9 +31,9 @@ public:
   /// where the map does not hold something nearer. A choice: rounded, and looks at boxes.
   bool seems_useful(Box const& box) const;
   /// Adds the Projection of a part: the intersection of its views from the vertices of the cell [Durand00, 3.2], at the
-  /// Depth of its farthest point. Requires: near < w for all of the part, which is on one side of the plane.
-  /// Returns the number of pixels.
-  std::int64_t add(std::span<PartPoint const> part);
+  /// Depth of its farthest point, or, where that is less, one that is affine over the plane. Requires: near < w for all
+  /// of the part, which is on one side of the plane. Returns the number of pixels.
+  std::int64_t add(std::span<PartPoint const> part, PartDepth depth = PartDepth::part);
   /// Whether the section of a box of the frame with the plane has a pixel where the map does not hold something nearer
   /// than the plane. A choice.
   bool slice_seems_useful(Box const& box) const;
@@ -55,6 +55,7 @@ public:
 
 private:
   ProjectionMap(CellViews const& cell, double plane, double improved_from, Grid const& grid, DepthMap<float> depths);
+  void write_affine_depth(std::span<PartPoint const> part, double farthest);
   bool hides(Bounded const& u0, Bounded const& u1, Bounded const& v0, Bounded const& v1, double w) const;
 
   CellViews const* cell_;
