@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import json
 import os
 import subprocess
@@ -10,6 +11,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import pandas as pd
+from IPython.display import HTML
 
 HERE = Path(__file__).resolve().parent
 # Set by scripts/notebooks: where the saved results are, and the program.
@@ -70,40 +72,38 @@ def visibility(*words: object) -> str:
     return run.stdout
 
 
-def pvs(scene: str, cell: tuple[float, ...], method: str, *options: object) -> dict:
-    """One set: `visibility pvs`."""
-    return json.loads(visibility("pvs", scene, "--cell=" + ",".join(f"{x:g}" for x in cell), "--method", method, *options))
-
-
-def boxes(scene: str) -> dict[str, list[tuple[float, ...]]]:
-    """Of each object of a generated scene of boxes, its boxes: x0, y0, z0, x1, y1, z1 in metres."""
-    kind, *parameters = scene.removeprefix("gen:").split(",")
-    with tempfile.TemporaryDirectory() as folder:
-        file = Path(folder) / "scene.json"
-        visibility("generate", kind, *parameters, "-o", file)
-        objects = json.loads(file.read_text())["objects"]
-    return {o["name"]: [tuple(o["boxes"][i:i + 6]) for i in range(0, len(o["boxes"]), 6)] for o in objects}
-
-
 def powers_of_two(axes: plt.Axes) -> None:
     """The horizontal axis by powers of two, as plain numbers."""
     axes.set_xscale("log", base=2)
     axes.xaxis.set_major_formatter(lambda value, _: f"{value:g}")
 
 
-def draw_plan(axes: plt.Axes, scene: dict[str, list[tuple[float, ...]]], cell: tuple[float, ...], colours: dict[str, str]) -> None:
-    """The scene from above. `colours`: of objects by name; the others are drawn pale."""
-    for name, parts in scene.items():
-        for x0, y0, _, x1, y1, _ in parts:
-            axes.add_patch(plt.Rectangle((x0, y0), x1 - x0, y1 - y0, fc=colours.get(name, "#e3e3e3"), ec="white", lw=0.4))
-    x0, y0, _, x1, y1, _ = cell
-    axes.add_patch(plt.Rectangle((x0, y0), x1 - x0, y1 - y0, fc="#CC79A7", ec="black", lw=0.6, zorder=4))
-    axes.set_aspect("equal")
-    axes.autoscale_view()
-    axes.grid(False)
-    axes.set_xlabel("x, m")
-    axes.set_ylabel("y, m")
+class View:
+    """One view cell of one scene, and a folder for the files that commands exchange about it."""
+
+    def __init__(self, scene: str, cell: tuple[float, ...]) -> None:
+        self.scene, self.cell = scene, "--cell=" + ",".join(f"{x:g}" for x in cell)
+        self._folder = tempfile.TemporaryDirectory()
+
+    def file(self, name: str) -> Path:
+        return Path(self._folder.name) / name
+
+    def pvs(self, name: str, method: str, *options: object) -> dict:
+        """The set of a method, also left in the file <name>.json."""
+        visibility("pvs", self.scene, self.cell, "--method", method, *options, "-o", self.file(f"{name}.json"))
+        return json.loads(self.file(f"{name}.json").read_text())
+
+    def draw(self, name: str, *options: object, width: int = 600) -> str:
+        """`visibility draw` of the set <name>.json, as an image for show(). Files among the options are those of this view."""
+        picture = self.file("picture.svg")
+        visibility("draw", self.scene, self.file(f"{name}.json"), *options, "--size", width, "-o", picture)
+        data = base64.b64encode(picture.read_bytes()).decode()
+        return f'<img width="{width}" style="display: inline; margin: 4px" src="data:image/svg+xml;base64,{data}"/>'
 
 
-__all__ = ["OURS", "PAPER", "SECOND", "assert_same", "boxes", "draw_plan", "origin", "paper", "pd", "plt",
-           "powers_of_two", "pvs", "saved", "table", "visibility"]
+def show(*images: str) -> HTML:
+    return HTML("".join(images))
+
+
+__all__ = ["OURS", "PAPER", "SECOND", "View", "assert_same", "origin", "paper", "pd", "plt", "powers_of_two", "saved", "show", "table",
+           "visibility"]

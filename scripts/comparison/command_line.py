@@ -64,10 +64,10 @@ def summarize(store: Store) -> dict:
 
 def write_report(store: Store, comparison: dict) -> int:
     """Renders the report; returns the exit code."""
-    from . import report  # matplotlib is large, and what this process holds counts as memory of its children
+    from . import report, summaries  # matplotlib is large, and what this process holds counts as memory of its children
 
-    path = store.write_report(report.render(comparison))
-    print(path)
+    for path in store.write_report(report.render(comparison), summaries.markdown(comparison)):
+        print(path)
     for fault in comparison["faults"]:
         print(f"FAULT: {fault}", file=sys.stderr)
     return 1 if comparison["faults"] else 0

@@ -62,8 +62,8 @@ def run_once(arguments: list[str], timeout: float) -> tuple[str, int, str]:
 
 
 def run_row(program: Path, scenes_folder: Path, layout: Layout, scene: Scene, method: Method) -> dict:
-    """State, peak memory, build time, and for each cell its set, its guarantee and the medians of the
-    query's processor seconds, which other work on the machine does not lengthen, and of its wall seconds."""
+    """State, peak memory, and in processor seconds, which other work on the machine does not lengthen, the time to build; for each
+    cell its set, its guarantee and the median time of the query, in processor and wall seconds."""
     row: dict = {"scene": scene.name, "method": method.label, "command": shown_command(scene, method),
                  # Linux counts what a child held before it became another program, a copy of this process: peaks are not below.
                  "floor_kib": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss}
@@ -91,14 +91,15 @@ def run_row(program: Path, scenes_folder: Path, layout: Layout, scene: Scene, me
         "objects": first[0]["scene"]["objects"], "primitives": first[0]["scene"]["primitives"],
         "arithmetic": first[0]["method"]["arithmetic"], "options": first[0]["method"]["options"],
         "read_seconds": median(r[0]["seconds"]["read"] for r in runs),
-        "build_seconds": median(r[0]["seconds"]["build"] for r in runs),
+        "build_seconds": median(_processor(r[0], "build") for r in runs),
         "cells": [{"guarantee": r["guarantee"], "visible": r["visible"], "statistics": r["statistics"],
-                   "query_seconds": median(_processor(results[i]) for results in runs),
+                   "query_seconds": median(_processor(results[i], "query") for results in runs),
                    "wall_seconds": median(results[i]["seconds"]["query"] for results in runs)}
                   for i, r in enumerate(first)],
     }
 
 
-def _processor(result: dict) -> float:
-    """Processor seconds of a query; wall seconds of a program that does not say."""
-    return result["seconds"].get("processor", result["seconds"]["query"])
+def _processor(result: dict, step: str) -> float:
+    """Processor seconds of a query or of building; wall seconds of a program that does not say."""
+    seconds = result["seconds"]
+    return seconds.get({"query": "processor", "build": "build_processor"}[step], seconds[step])

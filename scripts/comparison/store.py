@@ -20,7 +20,7 @@ def write_atomically(path: Path, content: str | bytes) -> None:
 
 class Store:
     """DIR/run.json: layout and machine; DIR/rows/SCENE-METHOD.json.gz: finished rows with their sets;
-    DIR/comparison.json: measures; DIR/comparison.html: the report."""
+    DIR/comparison.json: measures; DIR/comparison.html: the report; DIR/comparison.md: its summary."""
 
     def __init__(self, folder: Path):
         self.folder = folder
@@ -58,10 +58,11 @@ class Store:
     def write_comparison(self, comparison: dict) -> None:
         write_atomically(self.folder / "comparison.json", json.dumps(comparison, indent=1) + "\n")
 
-    def write_report(self, html: str) -> Path:
-        path = self.folder / "comparison.html"
-        write_atomically(path, html)
-        return path
+    def write_report(self, html: str, markdown: str) -> list[Path]:
+        paths = [self.folder / "comparison.html", self.folder / "comparison.md"]
+        for path, content in zip(paths, (html, markdown)):
+            write_atomically(path, content)
+        return paths
 
     @staticmethod
     def _read(path: Path) -> dict:

@@ -50,13 +50,14 @@ PotentiallyVisibleSet tallied(Query const& query)
   return set;
 }
 
-/// Below a column that ends above the ground sight lines pass that a height field does not know.
+/// Below what hangs over sight lines pass that a height field does not know.
 void require_height_field(HeightField const& field)
 {
   if (field.raised() == 0) return;
-  throw BadInput("--method exact-2.5d: " + std::to_string(field.raised()) +
-                 " objects end above the lowest point of the scene, so it is not a height field as it is; give "
-                 "--grounded to have everything below an upper surface count as solid");
+  throw BadInput(
+    "--method exact-2.5d: " + std::to_string(field.raised()) +
+    " objects have room below them (they hang over, lack a wall or end above the lowest point), so the scene "
+    "is no height field; give --grounded to have everything below an upper surface count as solid");
 }
 
 /// Two sets of parts of a scene as one of the scene. `of_a`, `of_b`: positions of the parts' objects in it.

@@ -6,7 +6,7 @@
 #include "progress.hpp"
 #include "scene_argument.hpp"
 
-#include "visibility/kernel/thread_seconds.hpp"
+#include "visibility/kernel/processor_seconds.hpp"
 #include "visibility/methods/exact_25d/explanation_file.hpp"
 #include "visibility/scene/result_file.hpp"
 #include "visibility/scene/scene_builder.hpp"
@@ -167,8 +167,9 @@ void run(Arguments const& a)
   Scene const& looked_for = occludees ? *occludees : scene;
   double const read = seconds_since(start);
   start = std::chrono::steady_clock::now();
+  double const busy = process_seconds();
   MethodRunner const method(a.method, scene, occludees ? &*occludees : nullptr);
-  double const build = seconds_since(start);
+  double const build = seconds_since(start), build_processor = process_seconds() - busy;
 
   unsigned const threads = a.threads != 0 ? a.threads : std::max(1U, std::thread::hardware_concurrency());
   oneapi::tbb::global_control const limit(oneapi::tbb::global_control::max_allowed_parallelism, threads);
@@ -179,8 +180,8 @@ void run(Arguments const& a)
   std::vector<Result> results;
   for (std::size_t i = 0; i < answers.cells.size(); ++i) {
     results.push_back(make_result(a, scene.source, looked_for, answers.cells[i], answers.sets[i].set));
-    results.back().seconds = {read, build, answers.sets[i].seconds};
-    if (!answers.processor_seconds.empty()) results.back().seconds.processor = answers.processor_seconds[i];
+    results.back().seconds = {read, build, answers.sets[i].seconds,
+                              answers.processor_seconds.empty() ? 0 : answers.processor_seconds[i], build_processor};
   }
   if (!a.method.explain.empty()) write_output(a.method.explain, to_json(scene, answers.cells, answers.explanations));
   if (a.output.empty()) {

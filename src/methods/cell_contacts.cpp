@@ -2,6 +2,8 @@
 
 #include "scene/polygon_sides.hpp"
 
+#include "visibility/scene/exposed_object.hpp"
+
 #include <algorithm>
 #include <array>
 
@@ -46,25 +48,6 @@ RationalNumber highest_inside(Corners corners, Corners outline)
   return best;
 }
 
-/// Whether another column may cover part of this one.
-bool may_be_covered(HeightField const& field, std::uint32_t index)
-{
-  Corners const polygon = field.corners(field.columns()[index]);
-  Box box;
-  double lowest = HUGE_VAL;
-  for (auto const& c : polygon) {
-    box.extend(c);
-    lowest = std::min(lowest, c.z);
-  }
-  box.max.z = HUGE_VAL;
-  return field.column_hierarchy().any_meeting(box, [&](std::uint32_t other) {
-    auto const corners = field.corners(field.columns()[other]);
-    return other != index && corners.size() > 2 &&
-           std::ranges::any_of(corners, [&](Point3d const& c) { return c.z > lowest; }) &&
-           interiors_meet(polygon, corners);
-  });
-}
-
 /// Whether the cell is a prism with a level top and bottom.
 bool is_upright(ViewCell const& cell, CellOutline const& outline)
 {
@@ -85,7 +68,7 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
   under.max.z = HUGE_VAL;
   bool const upright = is_upright(cell, outline);
   std::vector<bool> visible(field.scene().objects.size());
-  std::vector<std::uint32_t> intruders, doubtful;
+  std::vector<std::uint32_t> intruders, below;
   field.column_hierarchy().any_meeting(under, [&](std::uint32_t i) {
     auto const& column = field.columns()[i];
     Corners const corners = field.corners(column);
@@ -97,8 +80,7 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
       if (!upright) out.exact = false;  // it may pass below or beside the cell
       if (overlaps && (!upright || height >= outline.top)) intruders.push_back(i);
     } else if (overlaps) {
-      if (may_be_covered(field, i)) doubtful.push_back(column.object);
-      visible[column.object] = true;
+      below.push_back(column.object);
     }
     return false;
   });
@@ -113,7 +95,9 @@ CellContacts cell_contacts(HeightField const& field, ViewCell const& cell, CellO
     });
     std::ranges::sort(out.ignored_edges);
   }
-  out.exact = out.exact && doubtful.empty();
+  std::ranges::sort(below);
+  below.erase(std::unique(below.begin(), below.end()), below.end());
+  for (auto const o : below) visible[o] = visible[o] || is_exposed_inside(field, o, footprint);
   for (std::uint32_t o = 0; o < visible.size(); ++o)
     if (visible[o]) out.visible.push_back(o);
   return out;

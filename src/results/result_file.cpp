@@ -53,6 +53,7 @@ Json result_json(Result const& r)
            {"statistics", statistics},
            {"seconds", {{"read", r.seconds.read}, {"build", r.seconds.build}, {"query", r.seconds.query}}}};
   if (r.seconds.processor > 0) out["seconds"]["processor"] = r.seconds.processor;
+  if (r.seconds.build_processor > 0) out["seconds"]["build_processor"] = r.seconds.build_processor;
   if (r.cell_box || !r.cell.empty()) out["cell"] = cell_json(r);
   if (r.grounded) out["scene"]["grounded"] = true;
   if (!r.moving.empty()) out["scene"]["moving"] = r.moving;
@@ -141,7 +142,7 @@ Result result_from_json(Json const& value, std::string const& where)
       auto const& s = value["seconds"];
       return s.contains(key) && s[key].is_number() ? s[key].get<double>() : 0.0;
     };
-    r.seconds = {get("read"), get("build"), get("query"), get("processor")};
+    r.seconds = {get("read"), get("build"), get("query"), get("processor"), get("build_processor")};
   }
   if (value.contains("witnesses")) {
     if (!value["witnesses"].is_array()) throw BadInput(where + ": \"witnesses\" is not a list");

@@ -1,6 +1,7 @@
 #include "visibility/scene/height_field.hpp"
 
 #include "height_field_columns.hpp"
+#include "wall_cover.hpp"
 
 #include "visibility/scene/scene_builder.hpp"
 #include "visibility/scene/seams.hpp"
@@ -33,20 +34,14 @@ bool is_supported(Scene const& scene, Object const& object, Box const& box, doub
   return false;
 }
 
-/// Whether there may be room below the object. Of a mesh only its lowest point is looked at.
-bool is_raised(Scene const& scene, Object const& object, double ground)
+/// Whether a box or prism of the object ends above the ground.
+bool has_raised_solid(Scene const& scene, Object const& object, double ground)
 {
   for (auto i = object.boxes.first; i < object.boxes.last; ++i)
     if (!is_supported(scene, object, scene.boxes[i], ground)) return true;
   for (auto i = object.prisms.first; i < object.prisms.last; ++i)
     if (scene.prisms[i].bottom > ground) return true;
-  for (auto i = object.polyhedra.first; i < object.polyhedra.last; ++i)
-    if (bounding_box(scene.polyhedra[i]).min.z > ground) return true;
-  double lowest = ground;
-  if (object.triangles.size() > 0) lowest = HUGE_VAL;
-  for (auto i = object.triangles.first; i < object.triangles.last; ++i)
-    for (auto const& v : scene.triangle(i).vertices) lowest = std::min(lowest, v.z);
-  return lowest > ground;
+  return false;
 }
 
 }  // namespace
@@ -66,18 +61,18 @@ HeightField::HeightField(Scene const& scene) : scene_(&scene)
   std::vector<Box> edge_bounds, column_bounds;
   for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
     auto const& object = scene.objects[o];
-    raised_ += is_raised(scene, object, ground_);
-    auto const& [columns, edges, invalid] = builder.of(object);
-    invalid_footprints_ += invalid;
+    auto const& parts = builder.of(object);
+    raised_ += has_raised_solid(scene, object, ground_) || height_field::WallCover(parts, ground_).has_open_wall();
+    invalid_footprints_ += parts.invalid_footprints;
     auto const base = static_cast<std::uint32_t>(columns_.size());
-    for (auto const& c : columns) {
+    for (auto const& c : parts.columns) {
       auto const first = static_cast<std::uint32_t>(corners_.size());
       bool const flat = std::ranges::all_of(c, [&](Point3d const& p) { return p.z == c.front().z; });
       corners_.insert(corners_.end(), c.begin(), c.end());
       columns_.push_back({first, static_cast<std::uint32_t>(c.size()), o, flat});
       column_bounds.push_back(bounds_of(c));
     }
-    for (auto const& e : edges) {
+    for (auto const& e : parts.edges) {
       edges_.push_back({e.a, e.b, base + e.column});
       edge_bounds.push_back(bounds_of(std::array{e.a, e.b}));
     }

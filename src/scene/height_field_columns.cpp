@@ -31,6 +31,7 @@ auto ObjectColumns::of(Object const& object) -> Result const&
       add_curtain(p00, p11);
   }
   for (auto i = object.prisms.first; i < object.prisms.last; ++i) add(scene_.prisms[i]);
+  result_.solids = result_.columns.size();
   for (auto i = object.polyhedra.first; i < object.polyhedra.last; ++i) add(scene_.polyhedra[i]);
   for (auto i = object.triangles.first; i < object.triangles.last; ++i) {
     auto const [a, b, c] = scene_.triangle(i).vertices;
@@ -61,7 +62,9 @@ void ObjectColumns::add(ConvexPolyhedron const& polyhedron)
   for (auto const& f : polyhedron.facets) {
     auto const &a = polyhedron.vertices[f.vertices[0]], &b = polyhedron.vertices[f.vertices[1]],
                &c = polyhedron.vertices[f.vertices[2]];
-    if (is_positive(orient2d<Filtered>(horizontal(a), horizontal(b), horizontal(c)))) add_triangle(a, b, c);
+    Sign const turn = orient2d<Filtered>(horizontal(a), horizontal(b), horizontal(c));
+    if (is_positive(turn)) result_.columns.push_back({a, b, c});
+    if (is_zero(turn)) result_.walls.push_back({a, b, c});
   }
 }
 
@@ -72,6 +75,7 @@ void ObjectColumns::add_triangle(Point3d const& a, Point3d const& b, Point3d con
   case Sign::negative: result_.columns.push_back({a, c, b}); return;
   case Sign::zero: break;
   }
+  result_.walls.push_back({a, b, c});
   auto const boundary = upper_boundary({a, b, c});
   for (std::size_t i = 1; i < boundary.size(); ++i) add_curtain(boundary[i - 1], boundary[i]);
 }
@@ -143,15 +147,18 @@ void ObjectColumns::find_edges()
 void ObjectColumns::drop_idle_curtains()
 {
   std::uint32_t kept = 0;
+  std::size_t solids = 0;
   auto edge = result_.edges.begin();
   for (std::uint32_t c = 0; c < result_.columns.size(); ++c) {
     auto const last = std::find_if(edge, result_.edges.end(), [&](Edge const& e) { return e.column != c; });
     if (result_.columns[c].size() == 2 && edge == last) continue;
     for (; edge != last; ++edge) edge->column = kept;
+    solids += c < result_.solids;
     if (kept != c) result_.columns[kept] = std::move(result_.columns[c]);
     ++kept;
   }
   result_.columns.resize(kept);
+  result_.solids = solids;
 }
 
 }  // namespace visibility::height_field

@@ -2,6 +2,7 @@
 
 #include "visibility/scene/scene.hpp"
 
+#include <array>
 #include <vector>
 
 namespace visibility::height_field {
@@ -16,6 +17,8 @@ public:
   struct Result {
     std::vector<std::vector<Point3d>> columns;  ///< corners, counterclockwise; two for a curtain
     std::vector<Edge> edges;
+    std::vector<std::array<Point3d, 3>> walls;  ///< vertical triangles
+    std::size_t solids = 0;                     ///< columns of boxes and prisms: they come first
     std::size_t invalid_footprints = 0;
   };
 

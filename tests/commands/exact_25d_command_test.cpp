@@ -37,6 +37,8 @@ TEST_CASE("command line: exact-2.5d, with witnesses, inside what strong occlusio
     {"name": "ground", "boxes": [100,100,0,101,101,1]}, {"name": "cloud", "boxes": [50,0,40,60,10,50]}]})");
   REQUIRE(refused(raised, ""));
   REQUIRE(!refused(raised, " --grounded"));
+  REQUIRE(refused("gen:urban,n=50", ""));  // decks and ledges
+  REQUIRE(!refused("gen:urban,n=50", " --grounded"));
   REQUIRE(refused(folder.write("high.json", R"({"format": "visibility-scene/1", "objects": [
     {"name": "high", "boxes": [50,0,40,60,10,50]}]})"),
                   ""));  // the cell lies below it

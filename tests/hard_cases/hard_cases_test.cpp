@@ -65,9 +65,7 @@ void check_kind(Cases (*kind)())
       case Guarantee::aggressive: CHECK(v.extra.empty()); break;
       case Guarantee::none: break;  // docs/hard-cases.md counts what it gets wrong
       }
-      // A cell whose floor a column reaches may have a set that is conservative, and says so.
-      if (v.method == "exact-2.5d" && v.arithmetic != "double" && c.kind != "cells")
-        CHECK(v.guarantee == Guarantee::exact);
+      if (v.method == "exact-2.5d" && v.arithmetic != "double") CHECK(v.guarantee == Guarantee::exact);
     }
   }
 }

@@ -25,7 +25,7 @@ Result example()
   r.guarantee = Guarantee::conservative;
   r.visible = {"a", "b \"quoted\"", "\xC3\xBC"};
   r.statistics = {{"rays", 12}, {"ratio", 0.1}};
-  r.seconds = {1, 2, 0.25, 0.125};
+  r.seconds = {1, 2, 0.25, 0.125, 0.0625};
   r.witnesses = {
     {"a", exact(Point3d{0.5, 0.1, 0.25}), Point3q{RationalNumber(1, 3), RationalNumber(-7), RationalNumber(2)}}};
   return r;
@@ -62,6 +62,7 @@ TEST_CASE("result file: what is written is read back, exactly", "[results]")
   REQUIRE(r.statistics == e.statistics);
   REQUIRE(r.seconds.query == e.seconds.query);
   REQUIRE(r.seconds.processor == e.seconds.processor);
+  REQUIRE(r.seconds.build_processor == e.seconds.build_processor);
   REQUIRE(r.witnesses.size() == 1);
   REQUIRE(r.witnesses[0].from == e.witnesses[0].from);
   REQUIRE(r.witnesses[0].to == e.witnesses[0].to);

@@ -253,7 +253,8 @@ TEST_CASE("height field: generated scenes", "[scene]")
     Scene const scene = generate(kind);
     HeightField const field(scene);
     check(field);
-    REQUIRE(field.raised() == 0);
+    // Windows of the district stand back below their lintels.
+    REQUIRE((field.raised() == 0) == (kind != std::string("district")));
   }
   Scene const scene = generate("slanted,n=50");
   HeightField const field(scene);

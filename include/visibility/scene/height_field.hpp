@@ -77,9 +77,10 @@ public:
   BoundingHierarchy const& seam_hierarchy() const { return seam_hierarchy_; }
 
   double ground() const { return ground_; }  ///< least height in the scene
-  /// Objects with a solid that neither reaches down to the ground nor stands on a box of the object that does, or whose
-  /// triangles all end above it: sight lines may pass below, which a height field does not know. What hangs over
-  /// within a mesh is not noticed.
+  /// Objects with room below an upper surface, where sight lines may pass that a height field does not know: with a box
+  /// that neither reaches down to the ground nor stands on one of the object that does, a prism that ends above it, or
+  /// convex solids and triangles that hang over or lack a wall. 0: what is exact for the height field is exact for the
+  /// scene (proofs/exact_2_5d.md, "Walls").
   std::size_t raised() const { return raised_; }
   /// Prisms with an invalid footprint: their walls are curtains.
   std::size_t invalid_footprints() const { return invalid_footprints_; }

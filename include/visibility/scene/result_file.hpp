@@ -23,7 +23,9 @@ struct NamedWitness {
 struct Result {
   struct Seconds {
     double read = 0, build = 0, query = 0;
-    double processor = 0;  ///< of the thread that answered the query, however busy the machine is; 0: not measured
+    // However busy the machine is; 0: not measured.
+    double processor = 0;        ///< of the thread that answered the query
+    double build_processor = 0;  ///< of all threads that built
   };
   std::string source;                       ///< the scene as the user named it
   bool grounded = false;                    ///< the set is that of grounded(scene)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visibility/kernel/thread_seconds.hpp"
+#include "visibility/kernel/processor_seconds.hpp"
 
 namespace visibility::exact_25d {
 
