@@ -151,6 +151,7 @@ bool ProjectionMap::slice_seems_useful(Box const& box) const
 
 std::int64_t ProjectionMap::add_slice(std::span<ContourEdge const> contours, double error, double at, double low)
 {
+  if (!(at > cell_->near)) return 0;
   Grid const& g = grid();
   // Lines to a point of the map's plane pass the slice's this share of their way from the cell earlier.
   double const share = at < plane_ ? (plane_ - at) / (plane_ - cell_->near) * (1 + 0x1p-40) : 0;

@@ -40,7 +40,7 @@ public:
   /// Adds a region of the plane w = `at` that sight lines reach through an occluder only: from all of the cell to each
   /// point (u, v, at) inside the contours they meet an occluder at w <= at. Contours as in inner_even_odd, `error` of
   /// their points; it is seen on the map's plane, and its depth is that of the map's plane.
-  /// Requires: near < at <= plane. Returns the number of pixels.
+  /// Requires: at <= plane. Returns the number of pixels; none if at <= near.
   std::int64_t add_slice(std::span<ContourEdge const> contours, double error, double at, double low);
   /// Brings the pyramid up to date: queries are right before it, and fast after.
   void refresh() { map_.refresh(); }
