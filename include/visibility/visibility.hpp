@@ -39,6 +39,7 @@
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
 #include "visibility/scene/convex_cover.hpp"
+#include "visibility/scene/enclosing_shells.hpp"
 #include "visibility/scene/exposed_lines.hpp"
 #include "visibility/scene/exposed_object.hpp"
 #include "visibility/scene/exposed_parts.hpp"

@@ -11,6 +11,12 @@
 
 namespace visibility::commands {
 
+namespace {
+
+bool projects(std::string const& method) { return method == "extended-projection" || method == "occlusion-sweep"; }
+
+}  // namespace
+
 using strong_occlusion::optimizations;
 
 std::vector<std::string> method_names()
@@ -45,6 +51,8 @@ extended_projection::Options projection_options(MethodArguments const& a)
   return options;
 }
 
+bool uses_slices(MethodArguments const& a) { return projects(a.method) && a.projection.slices; }
+
 namespace {
 
 void require_one_of(std::string const& option, std::string const& value, std::vector<std::string> const& valid)
@@ -54,8 +62,6 @@ void require_one_of(std::string const& option, std::string const& value, std::ve
   for (auto const& v : valid) text += (&v == &valid.front() ? " " : ", ") + v;
   throw BadInput(text);
 }
-
-bool projects(std::string const& method) { return method == "extended-projection" || method == "occlusion-sweep"; }
 
 void add_projection_options(CLI::App& command, extended_projection::Options& o)
 {
@@ -86,6 +92,10 @@ void add_projection_options(CLI::App& command, extended_projection::Options& o)
     "occlusion-sweep: from plane to plane by one kernel for all pixels, as the paper does");
   command.add_flag("--infinity", o.infinity,
                    "extended-projection: one plane at infinity in each direction, the fuzzy projection of Lim");
+  command.add_option("--depth", o.depth, "extended-projection: depths of occluders by part (default), or by pixel")
+    ->transform(CLI::CheckedTransformer(std::map<std::string, extended_projection::PartDepth>{
+      {"part", extended_projection::PartDepth::part}, {"pixel", extended_projection::PartDepth::pixel}}));
+  command.add_flag("!--no-slices", o.slices, "extended-projection: without sections of closed meshes with the planes");
   command.add_flag("!--no-improved", o.improved, "extended-projection: without the improved Projection of occludees");
 }
 
@@ -102,6 +112,8 @@ std::map<std::string, std::string> text_of(extended_projection::Options const& o
     {"occluders", std::to_string(o.occluders)},
     {"more-occluders", o.more_occluders ? "on" : "off"},
     {"kernel", std::to_string(o.kernel)},
+    {"depth", o.depth == extended_projection::PartDepth::part ? "part" : "pixel"},
+    {"slices", o.slices ? "on" : "off"},
     {"improved", o.improved ? "on" : "off"},
     {"directions", directions},
     {"infinity", o.infinity ? "on" : "off"},

@@ -50,6 +50,8 @@ std::vector<std::string> method_names();
 /// The options of a method as the arguments have them. Requires: validated arguments.
 strong_occlusion::Options strong_occlusion_options(MethodArguments const&);
 extended_projection::Options projection_options(MethodArguments const&);
+/// Whether the method asks for sections of meshes.
+bool uses_slices(MethodArguments const& arguments);
 ray_space::Options ray_space_options(MethodArguments const&);
 
 }  // namespace visibility::commands

@@ -89,7 +89,7 @@ MethodRunner::MethodRunner(MethodArguments arguments, Scene const& scene, Scene 
     if (apart_) occludees_.emplace(targets_.emplace(apart_->moving));
     if (occludees != nullptr) occludees_.emplace(targets_.emplace(*occludees));
   } else if (arguments_.method != "sampling" && !arguments_.no_inner_bodies) {
-    scene_.emplace(scene, InnerBodyOptions{});
+    scene_.emplace(scene, InnerBodyOptions{.shells = uses_slices(arguments_)});
   } else {
     scene_.emplace(scene);
   }

@@ -3,6 +3,8 @@
 #include "visibility/raster/fixed_points.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <limits>
 #include <numeric>
 
 namespace visibility {
@@ -12,10 +14,6 @@ namespace {
 using detail::FixedPoint;
 using detail::FixedPoints;
 
-struct Edge {
-  std::size_t from, to;  // indices of points
-};
-
 /// What one edge does to one row: its pixels [begin, end) are met by the edge in their interior; if `crosses`, it
 /// passes the row's middle line there (or, with no such pixels, along the column line `end`).
 struct Contact {
@@ -23,30 +21,22 @@ struct Contact {
   bool crosses;
 };
 
-/// The edges between distinct points, without those that occur an even number of times: they bound nothing.
-std::vector<Edge> bounding_edges(Contours const& contours, std::vector<Point2d>& points, bool cancel)
+/// Leaves out edges that occur an even number of times: they bound nothing.
+void cancel_pairs(std::vector<ContourEdge>& edges)
 {
-  std::vector<Edge> edges;
-  for (auto const& contour : contours) {
-    std::size_t const first = points.size(), n = contour.size();
-    points.insert(points.end(), contour.begin(), contour.end());
-    for (std::size_t i = 0; i < n; ++i)
-      if (contour[i] != contour[(i + 1) % n]) edges.push_back({first + i, first + (i + 1) % n});
-  }
-  if (!cancel) return edges;
-  auto const key = [&](std::size_t i) { return std::pair(points[i].x, points[i].y); };
+  auto const key = [](Point2d const& p) { return std::pair(p.x, p.y); };
   for (auto& e : edges)
-    if (key(e.to) < key(e.from)) std::swap(e.from, e.to);
-  auto const ends = [&](Edge const& e) { return std::pair(key(e.from), key(e.to)); };
-  std::sort(edges.begin(), edges.end(), [&](Edge const& e, Edge const& f) { return ends(e) < ends(f); });
-  std::vector<Edge> odd;
+    if (key(e.second) < key(e.first)) std::swap(e.first, e.second);
+  auto const ends = [&](ContourEdge const& e) { return std::pair(key(e.first), key(e.second)); };
+  std::ranges::sort(edges, {}, ends);
+  std::size_t kept = 0;
   for (auto const& e : edges) {
-    if (!odd.empty() && ends(odd.back()) == ends(e))
-      odd.pop_back();
+    if (kept > 0 && edges[kept - 1] == e)
+      --kept;
     else
-      odd.push_back(e);
+      edges[kept++] = e;
   }
-  return odd;
+  edges.resize(kept);
 }
 
 class ContactFinder {
@@ -118,15 +108,26 @@ void add_row(int row, std::span<Contact const> contacts, std::vector<int>& touch
 
 Spans inner_even_odd(Grid const& grid, Contours const& contours, Point2d const& error)
 {
-  std::vector<Point2d> points;
+  std::vector<ContourEdge> edges;
+  for (auto const& contour : contours)
+    for (std::size_t i = 0, n = contour.size(); i < n; ++i) edges.emplace_back(contour[i], contour[(i + 1) % n]);
+  return inner_even_odd(grid, edges, error, -std::numeric_limits<double>::infinity());
+}
+
+Spans inner_even_odd(Grid const& grid, std::span<ContourEdge const> all, Point2d const& error, double low)
+{
+  std::vector<ContourEdge> edges;
+  std::ranges::copy_if(all, std::back_inserter(edges), [](ContourEdge const& e) { return e.first != e.second; });
   // Only edges that are the same for certain cancel: what is meant by rounded ones may differ.
-  auto const edges = bounding_edges(contours, points, error == Point2d{0, 0});
+  if (error == Point2d{0, 0}) cancel_pairs(edges);
+  std::vector<Point2d> points;
+  for (auto const& [p, q] : edges) points.insert(points.end(), {p, q});
   FixedPoints fixed;
   Spans spans;
   if (edges.empty() || !fixed.assign(points, grid.origin(), grid.step(), error)) return spans;
   std::vector<Contact> contacts;
   ContactFinder finder(grid, fixed);
-  for (auto const& e : edges) finder.add(fixed.points[e.from], fixed.points[e.to], contacts);
+  for (std::size_t i = 0; i < fixed.points.size(); i += 2) finder.add(fixed.points[i], fixed.points[i + 1], contacts);
 
   // Sort by row, by counting.
   std::vector<std::size_t> start(static_cast<std::size_t>(grid.height()) + 1, 0);
@@ -140,7 +141,7 @@ Spans inner_even_odd(Grid const& grid, Contours const& contours, Point2d const& 
   std::vector<unsigned char> flips(touched.size(), 0);
   for (int row = 0; row < grid.height(); ++row) {
     auto const r = static_cast<std::size_t>(row);
-    if (start[r] < start[r + 1])
+    if (start[r] < start[r + 1] && grid.row_line(row) >= low)
       add_row(row, std::span(sorted).subspan(start[r], start[r + 1] - start[r]), touched, flips, spans);
   }
   return spans;

@@ -99,9 +99,6 @@ std::vector<Side> odd_sides(std::vector<Side>& sides, Components& components)
   return odd;
 }
 
-/// Open ends beyond this number are not cut: the search is quadratic.
-constexpr std::size_t most_open_sides = 2'000;
-
 /// Cuts sides at the ends of other sides that lie on them.
 std::vector<Side> cut(std::vector<Point3d> const& vertices, std::vector<Side> const& sides)
 {
@@ -112,17 +109,10 @@ std::vector<Side> cut(std::vector<Point3d> const& vertices, std::vector<Side> co
   ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
   std::vector<Side> out;
   for (auto const& s : sides) {
-    Point3d const &a = vertices[s.a], &b = vertices[s.b];
-    auto const [low_y, high_y] = std::minmax(a.y, b.y);
-    auto const [low_z, high_z] = std::minmax(a.z, b.z);
     Index from = s.a;
-    // Lexicographic order is the order along the side.
-    for (auto i = std::ranges::upper_bound(ends, s.a); *i < s.b; ++i) {
-      Point3d const& p = vertices[*i];
-      if (p.y < low_y || p.y > high_y || p.z < low_z || p.z > high_z || projection_axis<Filtered>(a, b, p) >= 0)
-        continue;
-      out.push_back({from, *i, s.facet});
-      from = *i;
+    for (auto const i : vertices_on_side(vertices, ends, s.a, s.b)) {
+      out.push_back({from, i, s.facet});
+      from = i;
     }
     out.push_back({from, s.b, s.facet});
   }
@@ -130,6 +120,22 @@ std::vector<Side> cut(std::vector<Point3d> const& vertices, std::vector<Side> co
 }
 
 }  // namespace
+
+std::vector<Index> vertices_on_side(std::span<Point3d const> vertices, std::span<Index const> ends, Index first,
+                                    Index last)
+{
+  Point3d const &a = vertices[first], &b = vertices[last];
+  auto const [low_y, high_y] = std::minmax(a.y, b.y);
+  auto const [low_z, high_z] = std::minmax(a.z, b.z);
+  std::vector<Index> out;
+  // Lexicographic order is the order along the side.
+  for (auto i = std::ranges::upper_bound(ends, first); i != ends.end() && *i < last; ++i) {
+    Point3d const& p = vertices[*i];
+    if (p.y >= low_y && p.y <= high_y && p.z >= low_z && p.z <= high_z && projection_axis<Filtered>(a, b, p) < 0)
+      out.push_back(*i);
+  }
+  return out;
+}
 
 std::vector<MeshShell> mesh_shells(Scene const& scene, std::span<Index const> triangles, std::size_t most_facets)
 {

@@ -30,6 +30,14 @@ struct MeshShell {
 std::vector<MeshShell> mesh_shells(Scene const& scene, std::span<std::uint32_t const> triangles,
                                    std::size_t most_facets);
 
+/// Open sides beyond this number are not cut: the search is quadratic.
+inline constexpr std::size_t most_open_sides = 2'000;
+
+/// Those of `ends` that lie on the side from vertex `first` to vertex `last`, strictly between them, in order. Exact.
+/// Requires: vertices in lexicographic order, ends ascending, first < last.
+std::vector<std::uint32_t> vertices_on_side(std::span<Point3d const> vertices, std::span<std::uint32_t const> ends,
+                                            std::uint32_t first, std::uint32_t last);
+
 /// Whether a ray from p, upward and infinitesimally aside, crosses the shell an odd number of times. Exact.
 /// Requires: p lies on no facet.
 bool encloses(MeshShell const& shell, Point3d const& p);

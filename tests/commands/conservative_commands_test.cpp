@@ -37,11 +37,14 @@ TEST_CASE("command line: extended-projection and occlusion-sweep keep the exact 
   };
   auto const exact = pvs("exact-2.5d");
   for (std::string const method : {"extended-projection", "occlusion-sweep"}) {
-    auto const set = pvs(method + " --resolution 128 --plane-distances 200,400,800 --no-improved");
+    auto const set =
+      pvs(method + " --resolution 128 --plane-distances 200,400,800 --no-improved --no-slices --depth pixel");
     REQUIRE(set.method == method);
     REQUIRE(set.guarantee == Guarantee::conservative);
     REQUIRE(set.options.at("resolution") == "128");
     REQUIRE(set.options.at("improved") == "off");
+    REQUIRE(set.options.at("slices") == "off");
+    REQUIRE(set.options.at("depth") == "pixel");
     REQUIRE(set.options.at("plane-distances").starts_with("200"));
     REQUIRE(std::ranges::includes(set.visible, exact.visible));
     REQUIRE(set.visible.size() < set.objects);

@@ -34,6 +34,7 @@ Options any_options(Random& random, double scale)
   o.occluders = random.chance(0.3) ? static_cast<std::size_t>(random.between(0, 6)) : 2000;
   o.more_occluders = random.chance(0.5);
   o.improved = random.chance(0.7);
+  if (random.chance(0.5)) o.depth = extended_projection::PartDepth::pixel;
   if (random.chance(0.6))
     for (int i = random.between(1, 5); i > 0; --i)
       o.distances.push_back(scale * (random.chance(0.5) ? random.between(1, 8) : random.uniform(0.01, 9)));

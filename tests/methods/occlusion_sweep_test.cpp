@@ -137,3 +137,30 @@ TEST_CASE("occlusion sweep: near the exact set in a city", "[methods]")
   CHECK(std::ranges::includes(single, exact));
   CHECK(2 * set.size() < 3 * exact.size());
 }
+
+TEST_CASE("occlusion sweep: a wall of no thickness in a plane hides what is behind it", "[methods][degenerate]")
+{
+  ViewCell const cell(Box{{-1, -1, -1}, {1, 1, 1}});
+  // The plane at x = 6 is 5 from the cell; the wall may be alone in its group, or begin where a deep object does.
+  for (bool const is_deep : {false, true}) {
+    SceneBuilder builder("test");
+    builder.begin_object("wall");
+    auto const first = builder.add_vertex({6, -40, -30});
+    builder.add_vertex({6, 40, -30});
+    builder.add_vertex({6, 0, 60});
+    builder.add_triangle(first, first + 1, first + 2);
+    if (is_deep) builder.add(Box{{6, -40, -40}, {30, -39, -39}});
+    builder.begin_object("behind");
+    builder.add(Box{{8, -1, -1}, {9, 1, 1}});
+    builder.begin_object("beside");
+    builder.add(Box{{8, 60, -1}, {9, 61, 1}});
+    Scene const scene = builder.finish();
+    PreparedScene const prepared(scene);
+    for (auto const& distances : {std::vector<double>{5}, {2, 5, 9}, {}}) {
+      CAPTURE(is_deep, distances);
+      Options options;
+      options.distances = distances;
+      REQUIRE(OcclusionSweep(options)(prepared, cell).visible == std::vector<std::uint32_t>{0, 2});
+    }
+  }
+}

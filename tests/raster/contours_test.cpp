@@ -176,3 +176,38 @@ TEST_CASE("raster: contours are safe for every choice of points within their err
   }
   REQUIRE(covered > 200);
 }
+
+TEST_CASE("raster: contours as edges in any order and direction, open below a line", "[raster][law]")
+{
+  auto const grids = tested_grids();
+  long open = 0;
+  for (std::size_t g = 0; g < grids.size(); ++g) {
+    Grid const& grid = grids[g];
+    PolygonSource source(grid, 900 + g);
+    for (auto const shape : {Shape::lattice, Shape::uniform, Shape::displaced})
+      for (int i = trials(6); i > 0; --i) {
+        Contours contours;
+        for (int k = source.random().between(1, 3); k > 0; --k) contours.push_back(source(shape));
+        std::vector<ContourEdge> edges;
+        for (auto const& c : contours)
+          for (std::size_t k = 0; k < c.size(); ++k) {
+            edges.emplace_back(c[k], c[(k + 1) % c.size()]);
+            if (source.random().chance(0.5)) std::swap(edges.back().first, edges.back().second);
+          }
+        for (std::size_t k = edges.size(); k > 1; --k)
+          std::swap(edges[k - 1], edges[std::size_t(source.random().below(int(k)))]);
+        CAPTURE(name(shape), g, i);
+        auto expected = inner_even_odd(grid, contours);
+        REQUIRE(inner_even_odd(grid, edges, {0, 0}, -HUGE_VAL) == expected);
+        // Edges below a line may be missing.
+        int const row = source.random().below(grid.height());
+        double const low = grid.row_line(row);
+        auto const before = edges.size();
+        std::erase_if(edges, [&](ContourEdge const& e) { return e.first.y < low && e.second.y < low; });
+        open += edges.size() < before;
+        std::erase_if(expected, [&](Span const& s) { return s.row < row; });
+        REQUIRE(inner_even_odd(grid, edges, {0, 0}, low) == expected);
+      }
+  }
+  REQUIRE(open > trials(20));
+}

@@ -5,6 +5,7 @@
 #include "visibility/raster/span.hpp"
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace visibility {
@@ -18,5 +19,13 @@ using Contours = std::vector<std::vector<Point2d>>;
 /// region. `error` as in Outline; the region meant is that of the contours meant. The conservative scan conversion of a
 /// slice of a concave occluder [Durand00, section 3.3]. Points out of the domain of PixelRegion: no pixel.
 Spans inner_even_odd(Grid const&, Contours const&, Point2d const& error = {0, 0});
+
+/// An edge of contours, in either direction.
+using ContourEdge = std::pair<Point2d, Point2d>;
+
+/// The same for contours given as edges in any order: above the line y = `low`, and only pixels above it count, every
+/// point must be an end of an even number of edges. Of those that are equal to the last bit, an even number counts as
+/// none if `error` is 0.
+Spans inner_even_odd(Grid const&, std::span<ContourEdge const>, Point2d const& error, double low);
 
 }  // namespace visibility

@@ -30,6 +30,7 @@ struct InnerBodyOptions {
   std::size_t pieces_per_slice = 12;  ///< convex polygons tried in a section
   std::size_t max_corners = 24;       ///< of a prism's footprint; a roof may add as many again
   bool roofs = true;                  ///< try hulls of a prism with what stands on it
+  bool shells = true;                 ///< a PreparedScene keeps the shells too, for slices (EnclosingShells)
 };
 
 /// Convex bodies inside one object, largest side view first: of its prisms, overlapping convex pieces of the footprint;

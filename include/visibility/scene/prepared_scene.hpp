@@ -2,6 +2,7 @@
 
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
+#include "visibility/scene/enclosing_shells.hpp"
 #include "visibility/scene/object_outlines.hpp"
 #include "visibility/scene/occluders.hpp"
 
@@ -24,6 +25,8 @@ public:
   Scene const& scene() const { return bodies_.scene(); }
   ConvexBodies const& bodies() const { return bodies_; }
   Occluders const& occluders() const { return occluders_; }
+  /// What closed meshes enclose; none unless inner bodies were asked for.
+  EnclosingShells const& shells() const { return shells_; }
   std::span<Box const> object_bounds() const { return object_bounds_; }  ///< outward, one per object
   ObjectOutlines const& object_outlines() const { return object_outlines_; }
   BoundingHierarchy const& object_hierarchy() const { return object_hierarchy_; }  ///< items: positions in objects
@@ -38,7 +41,9 @@ public:
 
 private:
   PreparedScene(Scene const& scene, InnerBodyOptions const* options)
-    : bodies_(scene), occluders_(options != nullptr ? Occluders(bodies_, *options) : Occluders(bodies_)),
+    : bodies_(scene), shells_(options != nullptr && options->shells ? EnclosingShells(bodies_, options->max_triangles)
+                                                                    : EnclosingShells()),
+      occluders_(options != nullptr ? Occluders(bodies_, *options) : Occluders(bodies_)),
       object_bounds_(bounds_of_objects(bodies_)), object_outlines_(bodies_), object_hierarchy_(object_bounds_),
       body_hierarchy_(object_hierarchy_, bodies_.first_of_object(), bodies_.bounds())
   {
@@ -54,6 +59,7 @@ private:
   }
 
   ConvexBodies bodies_;
+  EnclosingShells shells_;
   Occluders occluders_;
   std::vector<Box> object_bounds_;
   ObjectOutlines object_outlines_;

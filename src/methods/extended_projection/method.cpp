@@ -1,5 +1,7 @@
 #include "visibility/methods/extended_projection/method.hpp"
 
+#include "slice_projector.hpp"
+
 #include "visibility/methods/extended_projection/boxes_in_frame.hpp"
 #include "visibility/methods/extended_projection/occludee_search.hpp"
 #include "visibility/methods/extended_projection/occluder_projector.hpp"
@@ -32,8 +34,10 @@ constexpr double nearest_to_infinity = 0x1p-24;
 class Maps {
 public:
   Maps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
-    : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell),
-      added_(scene.occluders().size()), at_infinity_(options.infinity)
+    : scene_(scene), cell_(cell), resolution_(options.resolution), projector_(scene, cell, options.depth),
+      slices_(scene, cell, projector_), with_slices_(options.slices && !options.infinity && scene.shells().size() > 0),
+      sliced_(with_slices_ ? scene.scene().objects.size() : 0), added_(scene.occluders().size()),
+      at_infinity_(options.infinity)
   {
     cells_.reserve(frames.size());
     if (options.infinity) projector_.cut_nearer_than(nearest_to_infinity * size());
@@ -46,6 +50,8 @@ public:
         place_planes(c, selected, options);
     for (auto const o : selected) add(o);
     refresh();
+    for (auto const o : selected) add_slices(scene.occluders().object(o));
+    refresh();
   }
 
   std::vector<ProjectionMap> const& maps() const { return maps_; }
@@ -57,6 +63,7 @@ public:
       if (!added_[i] && approximate_pixels(scene_.occluders().bounds()[i], cell_, resolution_) >= fewest_pixels &&
           blocks(scene_, cell_, i))
         add(i);
+    add_slices(object);
   }
   void refresh()
   {
@@ -64,6 +71,7 @@ public:
     since_refresh_ = 0;
   }
   std::size_t added() const { return count_; }
+  std::size_t slices() const { return slices_.count(); }
   std::int64_t pixels() const { return pixels_; }
 
 private:
@@ -112,10 +120,20 @@ private:
     if (++since_refresh_ == refresh_after) refresh();
   }
 
+  void add_slices(std::uint32_t object)
+  {
+    if (!with_slices_ || sliced_[object]) return;
+    sliced_[object] = true;
+    for (auto& m : maps_) pixels_ += slices_.add(object, m);
+  }
+
   PreparedScene const& scene_;
   ViewCell const& cell_;
   int resolution_;
   OccluderProjector projector_;
+  SliceProjector slices_;
+  bool with_slices_;
+  std::vector<bool> sliced_;
   std::vector<CellViews> cells_;
   std::vector<ProjectionMap> maps_;
   std::vector<bool> added_;
@@ -134,15 +152,17 @@ PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& ce
   PotentiallyVisibleSet set;
   set.guarantee = Guarantee::conservative;
   if (options.more_occluders) {
-    auto const before = maps.added();
+    auto const before = maps.added(), slices_before = maps.slices();
     set.visible = search.visible_objects([&](std::uint32_t o) { maps.add_object(o); }, among);
     maps.refresh();
-    if (maps.added() > before) std::erase_if(set.visible, [&](std::uint32_t o) { return search.hides_object(o); });
+    if (maps.added() > before || maps.slices() > slices_before)
+      std::erase_if(set.visible, [&](std::uint32_t o) { return search.hides_object(o); });
   } else {
     set.visible = search.visible_objects([](std::uint32_t) {}, among);
   }
   set.statistics = {{"planes", double(maps.maps().size())},
                     {"occluders", double(maps.added())},
+                    {"slices", double(maps.slices())},
                     {"pixels", double(maps.pixels())},
                     {"boxes_tested", double(search.counts().boxes_tested)},
                     {"groups_hidden", double(search.counts().groups_hidden)}};

@@ -44,7 +44,8 @@ void append_inner_points(Ball const& b, std::vector<Point3d>& out)
 
 }  // namespace
 
-OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const& cell) : scene_(&scene), cell_(&cell)
+OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const& cell, PartDepth depth)
+  : scene_(&scene), cell_(&cell), depth_(depth)
 {
   Box const& all = scene.object_hierarchy().nodes()[0].bounds;
   ground_ = all.min.z;
@@ -109,9 +110,9 @@ std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double 
   std::int64_t pixels = 0;
   auto const add_cut = [&](double low, double high) {
     if (least >= low && greatest <= high)
-      pixels += map.add(part_);
+      pixels += map.add(part_, depth_);
     else if (low < high)
-      pixels += map.add(cut(part_, low, high));
+      pixels += map.add(cut(part_, low, high), depth_);
   };
   // The vertices of the cell suffice on either side of the plane, not for a body across it.
   add_cut(start, std::min(until, map.plane()));
@@ -119,7 +120,7 @@ std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double 
   // A side next to the cell hides what is behind it, even within the depth of the body.
   if (least >= start && least < greatest && least <= until) {
     std::erase_if(part_, [&](PartPoint const& p) { return p.at.z > least + 8 * most_off; });
-    if (part_.size() > 2) pixels += map.add(part_);
+    if (part_.size() > 2) pixels += map.add(part_, depth_);
   }
   return pixels;
 }

@@ -13,6 +13,9 @@ namespace visibility::extended_projection {
 
 namespace {
 
+/// Parts that are less deep than this share of their distance have one depth.
+constexpr double least_slant = 1.0 / 64;
+
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -52,7 +55,7 @@ bool ProjectionMap::seems_useful(Box const& box) const
   return !map_.hidden(pixels, static_cast<float>(box.min.z - cell_->near));
 }
 
-std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
+std::int64_t ProjectionMap::add(std::span<PartPoint const> part, PartDepth depth)
 {
   if (part.size() < 3) return 0;
   // Look at it from each vertex, and see whether all views can have a pixel in common: a choice.
@@ -87,8 +90,82 @@ std::int64_t ProjectionMap::add(std::span<PartPoint const> part)
     region_.keep(Outline{std::span(views_).subspan(i * n, n), errors_[i]}, Cover::inside);
   region_.spans(spans_);
   // The difference is rounded, which keeps the order of depths; equal ones may become of different ones, which is safe.
-  map_.write(spans_, PixelDepth::above(g, {.value = deepest(part) - cell_->near}));
+  double const farthest = deepest(part) - cell_->near;
+  map_.write(spans_, PixelDepth::above(g, {.value = farthest}));
+  if (depth == PartDepth::pixel && !spans_.empty() &&
+      (farthest - (nearest(part) - cell_->near)) > least_slant * farthest)
+    write_affine_depth(part, farthest);
   return pixel_count(spans_);
+}
+
+/// Writes a depth that is affine over the plane and, at the views of all points of the part from all vertices of the
+/// cell, at least theirs: that suffices (proofs/extended_projection.md, "Depth for each pixel"). `spans_`, `views_` and
+/// `errors_` are those of the part. The slope is a choice: least squares.
+void ProjectionMap::write_affine_depth(std::span<PartPoint const> part, double farthest)
+{
+  std::size_t const n = part.size();
+  double const count = static_cast<double>(views_.size());
+  Point2d mean{0, 0};
+  double mean_z = 0;
+  for (auto const& x : views_) mean = {mean.x + x.x / count, mean.y + x.y / count};
+  for (auto const& p : part) mean_z += (p.at.z - cell_->near) / static_cast<double>(n);
+  double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    double const x = views_[i].x - mean.x, y = views_[i].y - mean.y, z = part[i % n].at.z - cell_->near - mean_z;
+    xx += x * x, xy += x * y, yy += y * y, xz += x * z, yz += y * z;
+  }
+  double const determinant = xx * yy - xy * xy;
+  Point2d const slope{(xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant};
+  double value = -inf, size = 0;
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    auto const& p = part[i % n];
+    double const z = p.at.z + p.depth_error - cell_->near, x = slope.x * (views_[i].x - mean.x),
+                 y = slope.y * (views_[i].y - mean.y);
+    value = std::max(value, z - x - y);
+    size = std::max({size, std::fabs(p.at.z) + p.depth_error, std::fabs(z) + std::fabs(x) + std::fabs(y)});
+  }
+  double error = 16 * 0x1p-53 * size;
+  for (auto const& e : errors_)
+    error = std::max(error, 16 * 0x1p-53 * size + std::fabs(slope.x) * e.x + std::fabs(slope.y) * e.y);
+  if (!std::isfinite(value) || !std::isfinite(error)) return;
+  auto const depth =
+    PixelDepth::above(grid(), {.at = mean, .value = value, .slope = slope, .error = error * (1 + 0x1p-40)});
+  auto const& b = region_.bounds();
+  double const least =
+    std::min({depth(b.x0, b.y0), depth(b.x1 - 1, b.y0), depth(b.x0, b.y1 - 1), depth(b.x1 - 1, b.y1 - 1)});
+  if (least < farthest) map_.write(spans_, depth);
+}
+
+bool ProjectionMap::slice_seems_useful(Box const& box) const
+{
+  Grid const& g = grid();
+  auto const line = [](double x, double origin, double step, int count) {
+    return std::clamp((x - origin) / step, 0.0, double(count));
+  };
+  PixelRectangle const pixels{static_cast<int>(std::ceil(line(box.min.x, g.origin().x, g.step().x, g.width()))),
+                              static_cast<int>(std::ceil(line(box.min.y, g.origin().y, g.step().y, g.height()))),
+                              static_cast<int>(line(box.max.x, g.origin().x, g.step().x, g.width())),
+                              static_cast<int>(line(box.max.y, g.origin().y, g.step().y, g.height()))};
+  return !map_.hidden(pixels, static_cast<float>(plane_ - cell_->near));
+}
+
+std::int64_t ProjectionMap::add_slice(std::span<ContourEdge const> contours, double error, double at, double low)
+{
+  if (!(at > cell_->near)) return 0;
+  Grid const& g = grid();
+  // Lines to a point of the map's plane pass the slice's this share of their way from the cell earlier.
+  double const share = at < plane_ ? (plane_ - at) / (plane_ - cell_->near) * (1 + 0x1p-40) : 0;
+  auto const reach = [](double low0, double high0, double low1, double high1) {
+    return std::max(std::fabs(high0 - low1), std::fabs(high1 - low0)) * (1 + 0x1p-40);
+  };
+  Box const& c = cell_->bounds;
+  Point2d const off{error + share * reach(c.min.x, c.max.x, g.origin().x, g.column_line(g.width())),
+                    error + share * reach(c.min.y, c.max.y, g.origin().y, g.row_line(g.height()))};
+  if (!(std::isfinite(off.x) && std::isfinite(off.y))) return 0;
+  double const least = off.y > 0 ? std::nextafter(low + 2 * off.y, inf) : low;
+  auto const spans = inner_even_odd(g, contours, {off.x * (1 + 0x1p-40), off.y * (1 + 0x1p-40)}, least);
+  map_.write(spans, PixelDepth::above(g, {.value = plane_ - cell_->near}));
+  return pixel_count(spans);
 }
 
 bool ProjectionMap::hides(Box const& b) const

@@ -1,6 +1,7 @@
 #include "visibility/methods/extended_projection/sweep.hpp"
 
 #include "hidden_objects.hpp"
+#include "slice_projector.hpp"
 #include "sweep_planes.hpp"
 
 #include "visibility/methods/extended_projection/boxes_in_frame.hpp"
@@ -27,8 +28,9 @@ class Sweeps {
 public:
   /// What is not `among` the objects of interest, if these are given, is taken as hidden.
   Sweeps(PreparedScene const& scene, ViewCell const& cell, Options const& options, ObjectSelection const* among)
-    : scene_(scene), cell_(cell), options_(options), projector_(scene, cell),
-      important_(select_occluders(scene, cell, most_important, among)), hidden_(scene, cell, among)
+    : scene_(scene), cell_(cell), options_(options), projector_(scene, cell, options.depth),
+      slices_(scene, cell, projector_), important_(select_occluders(scene, cell, most_important, among)),
+      hidden_(scene, cell, among)
   {
   }
 
@@ -50,6 +52,7 @@ public:
       ++planes_;
       add_occluders(*map, before);
       map->refresh();
+      if (options_.slices && scene_.shells().size() > 0) add_slices(*map);
       if (!test(*map, before)) break;  // nothing is left behind the plane
       before = plane;
     }
@@ -60,24 +63,26 @@ public:
     PotentiallyVisibleSet set;
     set.guarantee = Guarantee::conservative;
     set.visible = hidden_.rest();
-    set.statistics = {{"planes", double(planes_)},
-                      {"occluders", double(occluders_)},
-                      {"pixels", double(pixels_)},
-                      {"boxes_tested", double(boxes_tested_)},
-                      {"groups_hidden", double(groups_hidden_)}};
+    set.statistics = {
+      {"planes", double(planes_)}, {"occluders", double(occluders_)},       {"slices", double(slices_.count())},
+      {"pixels", double(pixels_)}, {"boxes_tested", double(boxes_tested_)}, {"groups_hidden", double(groups_hidden_)}};
     return set;
   }
 
 private:
-  /// Those with a part between the plane before and this one; of them all that is before this one.
+  /// Those with a part between the plane before and this one, or flat in this one; of them all that is before it.
   void add_occluders(ProjectionMap& map, double before)
   {
     auto const& frame = map.cell().frame;
     auto const& occluders = scene_.occluders();
-    auto const is_between = [&](Box const& b) { return b.max.z > before && b.min.z < map.plane(); };
-    auto const enter = [&](std::uint32_t, Box const& box) { return is_between(frame(box)); };
+    auto const reaches = [&](Box const& b) { return b.max.z > before && b.min.z <= map.plane(); };
+    // What begins at the plane waits for the next one, unless it ends there, too.
+    auto const is_between = [&](Box const& b) {
+      return b.max.z > before && (b.min.z < map.plane() || b.max.z == map.plane());
+    };
+    auto const enter = [&](std::uint32_t, Box const& box) { return reaches(frame(box)); };
     hidden_.walk_rest(enter, [&](std::uint32_t object) {
-      if (!is_between(object_box(scene_, object, frame))) return;
+      if (!reaches(object_box(scene_, object, frame))) return;
       auto const range = worthwhile_occluders(scene_, cell_, object);
       for (auto o = range.first; o < range.last; ++o) {
         Box const b = occluder_box(occluders, o, frame);
@@ -87,6 +92,18 @@ private:
         if (occluders_ % refresh_after == 0) map.refresh();
       }
     });
+  }
+
+  /// Adds the sections of meshes with the plane.
+  void add_slices(ProjectionMap& map)
+  {
+    auto const& frame = map.cell().frame;
+    auto const enter = [&](std::uint32_t, Box const& box) {
+      Box const b = frame(box);
+      return b.min.z < map.plane() && map.plane() <= b.max.z && map.slice_seems_useful(b);
+    };
+    hidden_.walk_rest(enter, [&](std::uint32_t object) { pixels_ += slices_.add(object, map); });
+    map.refresh();
   }
 
   /// Tests what is behind the plane before; returns whether anything is left behind this one.
@@ -133,6 +150,7 @@ private:
   ViewCell const& cell_;
   Options const& options_;
   OccluderProjector projector_;
+  SliceProjector slices_;
   std::vector<std::uint32_t> important_;
   HiddenObjects hidden_;
   std::size_t planes_ = 0, occluders_ = 0, boxes_tested_ = 0, groups_hidden_ = 0;

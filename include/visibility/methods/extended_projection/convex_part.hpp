@@ -2,6 +2,7 @@
 
 #include "visibility/methods/extended_projection/cell_views.hpp"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,10 @@ using ConvexPart = std::vector<PartPoint>;
 /// The hull of the points cut to low <= w <= high. Points that arise are rounded and carry their error. A hull of many
 /// points may come out smaller, never larger. Empty if there is nothing.
 ConvexPart cut(std::span<PartPoint const> points, double low, double high);
+
+/// The point where the segment pq meets w = `at`, rounded, with its error. None if its place on the segment is too
+/// small a number, or not known. Requires: `at` between their w.
+std::optional<PartPoint> crossing(PartPoint const& p, PartPoint const& q, double at);
 
 /// A bound of the greatest w of a part, and of the least. Requires: points.
 double deepest(std::span<PartPoint const> part);

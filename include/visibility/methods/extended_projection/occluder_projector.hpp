@@ -15,7 +15,7 @@ namespace visibility::extended_projection {
 /// parts of a plane below the ground are covered (proofs/extended_projection.md, "Ground").
 class OccluderProjector {
 public:
-  OccluderProjector(PreparedScene const& scene, ViewCell const& cell);
+  OccluderProjector(PreparedScene const& scene, ViewCell const& cell, PartDepth depth = PartDepth::part);
 
   /// Adds the occluder, or its part with w <= until, to the map; returns the number of pixels written.
   /// Requires: the occluder blocks from the cell (Occluders::blocks_from).
@@ -27,6 +27,7 @@ public:
 
   bool is_above_ground() const { return is_above_ground_; }
   double ground() const { return ground_; }
+  double deep() const { return deep_; }  ///< how far down it carries what stands on the ground
 
 private:
   void collect(std::uint32_t occluder, Frame const& frame);
@@ -34,6 +35,7 @@ private:
 
   PreparedScene const* scene_;
   ViewCell const* cell_;
+  PartDepth depth_;
   bool is_above_ground_;
   double ground_, height_;
   double nearest_ = 0;             // 0: a share of the distance

@@ -22,6 +22,12 @@ enum class Directions {
   axes
 };
 
+/// The Depth of a convex part [Durand00, 2.3, definition 3].
+enum class PartDepth {
+  part,  ///< one number for each part: its farthest point
+  pixel  ///< where it is nearer, a bound that is affine over the plane
+};
+
 /// All of these are choices: the set is conservative whatever they are.
 struct Options {
   int resolution = 256;          ///< depth maps have as many pixels as its square; 1 to Grid::max_size
@@ -30,6 +36,8 @@ struct Options {
   std::size_t occluders = 1000;  ///< convex bodies of the largest solid angle that are projected for a cell
   bool more_occluders = true;    ///< then those of objects that are still visible, too [Durand00, 6.1]
   bool improved = true;          ///< the repaired improved Projection of occludees [Durand00, 4]
+  bool slices = true;            ///< sections of closed meshes with the planes [Durand00, 3.3]
+  PartDepth depth = PartDepth::part;
   double kernel = 5;  ///< of a sweep: planes are so far apart that the cell's image is this many pixels [Durand00, 5.2]
   Directions directions = Directions::automatic;
   Reprojection reprojection = Reprojection::windows;  ///< of a sweep

@@ -2,6 +2,7 @@
 
 #include "visibility/methods/extended_projection/convex_part.hpp"
 #include "visibility/methods/extended_projection/options.hpp"
+#include "visibility/raster/contours.hpp"
 #include "visibility/raster/hierarchical_depth_map.hpp"
 #include "visibility/raster/pixel_region.hpp"
 
@@ -30,9 +31,17 @@ public:
   /// where the map does not hold something nearer. A choice: rounded, and looks at boxes.
   bool seems_useful(Box const& box) const;
   /// Adds the Projection of a part: the intersection of its views from the vertices of the cell [Durand00, 3.2], at the
-  /// Depth of its farthest point. Requires: near < w for all of the part, which is on one side of the plane.
-  /// Returns the number of pixels.
-  std::int64_t add(std::span<PartPoint const> part);
+  /// Depth of its farthest point, or, where that is less, one that is affine over the plane. Requires: near < w for all
+  /// of the part, which is on one side of the plane. Returns the number of pixels.
+  std::int64_t add(std::span<PartPoint const> part, PartDepth depth = PartDepth::part);
+  /// Whether the section of a box of the frame with the plane has a pixel where the map does not hold something nearer
+  /// than the plane. A choice.
+  bool slice_seems_useful(Box const& box) const;
+  /// Adds a region of the plane w = `at` that sight lines reach through an occluder only: from all of the cell to each
+  /// point (u, v, at) inside the contours they meet an occluder at w <= at. Contours as in inner_even_odd, `error` of
+  /// their points; it is seen on the map's plane, and its depth is that of the map's plane.
+  /// Requires: at <= plane. Returns the number of pixels; none if at <= near.
+  std::int64_t add_slice(std::span<ContourEdge const> contours, double error, double at, double low);
   /// Brings the pyramid up to date: queries are right before it, and fast after.
   void refresh() { map_.refresh(); }
 
@@ -40,12 +49,13 @@ public:
   /// Through the Projection of the box, the bounding rectangle of its views [Durand00, 3.1].
   bool hides(Box const& box) const;
   /// The same through the improved Projection [Durand00, 4.2], from the cell's side next to the plane, which the paper
-  /// leaves out (proofs/extended_projection.md, "Improved Projection"). Requires: a box cell; nothing but
-  /// convex parts was added. Of a map that came from another, boxes that reach before that one's plane are not hidden.
+  /// leaves out (proofs/extended_projection.md, "Improved Projection"). Requires: a box cell. Of a map that came from
+  /// another, boxes that reach before that one's plane are not hidden.
   bool hides_improved(Box const& box) const;
 
 private:
   ProjectionMap(CellViews const& cell, double plane, double improved_from, Grid const& grid, DepthMap<float> depths);
+  void write_affine_depth(std::span<PartPoint const> part, double farthest);
   bool hides(Bounded const& u0, Bounded const& u1, Bounded const& v0, Bounded const& v1, double w) const;
 
   CellViews const* cell_;

@@ -23,7 +23,7 @@ public:
   /// Throws std::invalid_argument for options out of range.
   explicit OcclusionSweep(Options options) : options_(std::move(options)) { options_.validate(); }
 
-  /// The potentially visible set: `conservative`. Statistics: planes, occluders (projected), pixels (written),
+  /// The potentially visible set: `conservative`. Statistics: planes, occluders (projected), slices, pixels (written),
   /// boxes_tested, groups_hidden.
   PotentiallyVisibleSet operator()(PreparedScene const& scene, ViewCell const& cell) const;
   /// Those of the candidates that may be visible, ascending; candidates alone occlude. Where the others are hidden from
