@@ -10,5 +10,10 @@ else()
   target_link_libraries(visibility_catch PUBLIC Catch2::Catch2)
 endif()
 target_link_libraries(visibility_catch PUBLIC rapidcheck)
-target_precompile_headers(visibility_catch INTERFACE "${PROJECT_SOURCE_DIR}/tests/support/catch.hpp")
+
+# Catch2, RapidCheck and the number types, compiled once for all tests.
+add_library(visibility_test_headers STATIC "${PROJECT_SOURCE_DIR}/tests/support/precompiled.cpp")
+target_link_libraries(visibility_test_headers PRIVATE visibility_catch visibility_core visibility_developer)
+target_precompile_headers(visibility_test_headers PRIVATE "${PROJECT_SOURCE_DIR}/include/visibility/kernel/arithmetic.hpp"
+  "${PROJECT_SOURCE_DIR}/tests/support/catch.hpp")
 include(Catch)
