@@ -6,6 +6,7 @@
 #include "visibility/methods/ray_space/method.hpp"
 #include "visibility/scene/scene_builder.hpp"
 
+#include <array>
 #include <cmath>
 
 using namespace visibility;
@@ -117,6 +118,37 @@ TEST_CASE("ray-space: objects that meet the cell, and those right above it, are 
 {
   std::vector<Box> const scene{{{0.5, -30, 0}, {0.6, 30, 50}}, {{1, 1, 2}, {3, 3, 4}}, {{-1, -1, 30}, {1, 1, 31}}};
   CHECK(seen(scene, cell) == Set{0, 1, 2});
+}
+
+TEST_CASE("ray-space: from within an object its inner bodies hide what is behind it, and nothing in it", "[methods]")
+{
+  // A closed L of two bars, a cell in one of them, a box in the corner of the L and one behind: of the bar along x a
+  // chord is between the cell and the box, but there is no wall before the outer one.
+  SceneBuilder builder("test");
+  builder.begin_object("L");
+  std::vector<Point2d> const ring{{0, 0}, {20, 0}, {20, 8}, {8, 8}, {8, 20}, {0, 20}};
+  std::vector<std::uint32_t> corners;
+  for (double const z : {0.0, 10.0})
+    for (auto const& p : ring) corners.push_back(builder.add_vertex({p.x, p.y, z}));
+  for (std::size_t i = 0; i < 6; ++i) {
+    auto const j = (i + 1) % 6;
+    builder.add_triangle(corners[i], corners[j], corners[j + 6]);
+    builder.add_triangle(corners[i], corners[j + 6], corners[i + 6]);
+  }
+  for (auto const& t : {std::array{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}) {
+    auto const at = [&](int i, std::size_t level) { return corners[static_cast<std::size_t>(i) + level]; };
+    builder.add_triangle(at(t[2], 0), at(t[1], 0), at(t[0], 0));
+    builder.add_triangle(at(t[0], 6), at(t[1], 6), at(t[2], 6));
+  }
+  for (auto const& b : {Box{{2, 1, 1}, {3, 2, 2}}, Box{{2, -9, 1}, {3, -8, 2}}}) {
+    builder.begin_object("box");
+    builder.add(b);
+  }
+  Scene const scene = builder.finish();
+  ViewCell const in_bar(Box{{2, 12, 1}, {4, 14, 2}});
+  PreparedScene const prepared(scene, InnerBodyOptions{});
+  REQUIRE(prepared.occluders().inner_count() >= 2);
+  CHECK(RaySpace()(prepared, in_bar).visible == Set{0, 1});
 }
 
 TEST_CASE("ray-space: a cell that is no box is answered for its bounds", "[methods]")

@@ -46,6 +46,15 @@ public:
     return may_occlude(inner(i), cell.bounds(), owner);
   }
 
+  /// Whether it blocks all sight lines to what lies outside `owner`, from any cell: a solid body does, an inner body if
+  /// nothing that is looked for lies lower than the floor above which its object encloses it. proofs/inner_bodies.md,
+  /// "Seen from within". `lowest`: no point of what is looked for is lower.
+  bool blocks_beyond_owner(std::uint32_t i, double lowest) const
+  {
+    if (is_body(i)) return bodies_->bodies()[body(i)].occludes;
+    return lowest >= inner(i).floor;
+  }
+
   /// Calls f(shape) with the occluder's Box, Ball, Triangle, ConvexPrism or ConvexPolyhedron; returns what f does.
   template <class F>
   auto visit(std::uint32_t i, F&& f) const

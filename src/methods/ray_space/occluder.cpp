@@ -5,7 +5,9 @@
 
 #include <array>
 #include <optional>
+#include <ranges>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace visibility::ray_space {
@@ -30,6 +32,18 @@ GateEnd bottom_end(double slope, double separating, CellSlice const& k, double b
   double const run = (e.slope >= 0 ? k.u_out : k.u_in) + back, drop = double(e.slope) * run;
   e.base = float_above(-drop + 0x1p-47 * std::fabs(double(e.slope)) * 2 * back);
   return e;
+}
+
+}  // namespace
+
+namespace {
+
+/// Whether the box is so narrow that no pixel has all its lines cross it. At slope t it is at most v1 - v0 + |t| (u1 -
+/// u0) wide, and the lines of a pixel are a column and, at the distance of the box, a row apart. Rounded: a choice.
+bool is_narrower_than_pixels(Frame const& frame, LocalBox const& b)
+{
+  double const widest = b.v1 - b.v0 + frame.t(frame.rows()) * (b.u1 - b.u0);
+  return widest < frame.s(1) - frame.s(0) + (frame.t(1) - frame.t(0)) * std::max(0.0, b.u0);
 }
 
 }  // namespace
@@ -111,14 +125,15 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
 
 /// At a constant height every tangent is monotone in the distance, so of the chords that all lines of a pixel cross the
 /// nearest or the farthest gives each end of the gate.
-void OccluderWriter::cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row)
+void OccluderWriter::cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row, int first,
+                                       int last)
 {
   double const scale = frame.half_length() + frame.height(), least_ahead = 0x1p-30 * frame.half_length();
   double const* const s = frame.column_lines();
   double const* const exit = frame.exits(row);
   for (auto const& chord : chords)
     for (auto const& [i, j] : {std::pair(chord.from, chord.to), std::pair(chord.to, chord.from)}) {
-      int const from = above_[j], to = below_[i];
+      int const from = std::max(above_[j], first), to = std::min(below_[i], last);
       if (from >= to) continue;
       LocalPoint const &p = points_[i], &q = points_[j];
       double const margins = margin_[i] + margin_[j];
@@ -164,10 +179,12 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
 {
   std::fill(near_.high.begin() + from, near_.high.begin() + to, infinity);
   std::fill(far_.low.begin() + from, far_.low.begin() + to, -infinity);
-  cross_upright_row(body.edges, frame, row);
+  cross_upright_row(body.edges, frame, row, from, to);
   // Other chords are crossed where no edge is: in pixels of vertices.
-  if (std::find(near_.high.begin() + from, near_.high.begin() + to, infinity) != near_.high.begin() + to)
-    cross_upright_row(body.others, frame, row);
+  auto const lacks = [&](int c) {
+    return open_[static_cast<std::size_t>(c)] != 0 && near_.high[static_cast<std::size_t>(c)] == infinity;
+  };
+  if (std::ranges::any_of(std::views::iota(from, to), lacks)) cross_upright_row(body.others, frame, row, from, to);
   double const back = frame.half_length(), scale = back + frame.height();
   double const bottom = points_.front().z, top = points_.back().z;
   double const slack = 0x1p-47 * (std::fabs(bottom) + std::fabs(top) + scale);
@@ -183,10 +200,13 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
     auto const& k = *frame.cell_slice(row, column);
     SlicePoint const upper{for_top.low[c], for_top.high[c], top - slack, top + slack};
     SlicePoint const lower{for_bottom.low[c], for_bottom.high[c], bottom - slack, bottom + slack};
-    gates_[c] = {top_end(least_upper_tangent(k, upper), least_lower_tangent(k, upper), k, back),
-                 open_below ? open_bottom
-                            : bottom_end(greatest_lower_tangent(k, lower), greatest_upper_tangent(k, lower), k, back),
-                 float_above(safely_above(std::max(upper.u_high, lower.u_high) + back))};
+    double const top_slope = least_upper_tangent(k, upper);
+    double const bottom_slope = open_below ? -infinity : greatest_lower_tangent(k, lower);
+    float const beyond = std::max(beyond_, float_above(safely_above(std::max(upper.u_high, lower.u_high) + back)));
+    if (map.reaches(row, column, top_slope, bottom_slope, beyond)) continue;
+    gates_[c] = {top_end(top_slope, least_lower_tangent(k, upper), k, back),
+                 open_below ? open_bottom : bottom_end(bottom_slope, greatest_upper_tangent(k, lower), k, back),
+                 beyond};
     ++written;
   }
   if (written > 0)
@@ -195,29 +215,59 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
   return written;
 }
 
+/// Of the open pixels leaves those in which the box that holds the body, as near or as far in it as is best, might
+/// reach higher or lower than the largest gate. Returns the columns from the first to the last of them. Rounded: a
+/// choice.
+std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map,
+                                               int row, int from, int to)
+{
+  double const rise = double(box.extent.high) - frame.height(), low = box.extent.low;
+  bool const is_open_below = ground_.front();
+  float const beyond = std::max(beyond_, box.extent.far);
+  int first = to, last = from;
+  for (int c = from; c < to; ++c) {
+    auto& open = open_[static_cast<std::size_t>(c)];
+    if (open == 0) continue;
+    auto const* const k = frame.cell_slice(row, c);
+    if (k != nullptr && box.u0 > k->u_out) {
+      double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
+      double const bottom = is_open_below ? -infinity : low >= 0 ? low / (box.u1 - k->u_out) : low / (box.u0 - k->u_in);
+      if (map.reaches(row, c, top, bottom, beyond)) open = 0;
+    }
+    if (k == nullptr) open = 0;
+    if (open == 0) continue;
+    first = std::min(first, c);
+    last = c + 1;
+  }
+  return {first, last};
+}
+
 bool OccluderWriter::is_gap(int column) const
 {
   auto const c = static_cast<std::size_t>(column);
   return top_[c].slope == -infinity || bottom_[c].slope == infinity;
 }
 
-void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps)
+void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, int first, int last,
+                                bool only_gaps)
 {
   for (auto const& chord : chords) {
     std::size_t const a = chord.from, b = chord.to;
     for (auto const& [i, j] : {std::pair(a, b), std::pair(b, a)}) {
-      int const from = above_[j], to = below_[i];
+      int const from = std::max(above_[j], first), to = std::min(below_[i], last);
       if (from >= to) continue;
       cross_row(frame, row, {i, j, chord.top, chord.bottom, ground_[a] && ground_[b], only_gaps}, from, to);
     }
   }
 }
 
-std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map)
+std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map,
+                                  Box const* inside)
 {
-  if (!in_reach(frame, bounds) || !localize(body, frame)) return 0;
+  if (!in_reach(frame, inside != nullptr ? *inside : bounds)) return 0;
   auto const box = local_box(frame, bounds);
-  if (!box) return 0;
+  if (!box || is_narrower_than_pixels(frame, *box) || !localize(body, frame)) return 0;
+  beyond_ = inside != nullptr ? local_box(frame, *inside)->extent.far : 0;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
   for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
   for (auto* const columns_of : {&below_, &above_}) columns_of->resize(points_.size());
@@ -229,7 +279,8 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
     for (auto* const bound : {&crossed->low, &crossed->high}) bound->resize(columns + 1);
   std::size_t const plan_points = body.upright ? points_.size() / 2 : points_.size();
   std::size_t written = 0;
-  every_row(frame, *box, [&](int row, int, int) {
+  auto const [first, last] = rows_of(frame, *box);
+  for (int row = first; row < last; ++row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double least = infinity, most = -infinity;
     for (std::size_t i = 0; i < plan_points; ++i) {
@@ -240,18 +291,18 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
       least = std::min(least, above_limit_[i]);
       most = std::max(most, below_limit_[i]);
     }
-    if (!(least < most)) return true;
-    int const from = frame.columns_from(least), to = frame.columns_below(most);
-    if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)]))
-      return true;
+    if (!(least < most)) continue;
+    int from = frame.columns_from(least), to = frame.columns_below(most);
+    if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)])) continue;
+    std::tie(from, to) = leave_open(*box, frame, map, row, from, to);
+    if (from >= to) continue;
     for (std::size_t i = 0; i < plan_points; ++i) {
       below_[i] = frame.columns_below(below_limit_[i]);
       above_[i] = frame.columns_from(above_limit_[i]);
     }
     written +=
       body.upright ? write_upright_row(body, frame, map, row, from, to) : write_row(body, frame, map, row, from, to);
-    return true;
-  });
+  }
   return written;
 }
 
@@ -262,8 +313,8 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
     bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
   }
-  add_chords(body.edges, frame, row, false);
-  add_chords(body.others, frame, row, true);
+  add_chords(body.edges, frame, row, from, to, false);
+  add_chords(body.others, frame, row, from, to, true);
   std::size_t written = 0;
   double const back = frame.half_length();
   for (int c = from; c < to; ++c) {
@@ -271,9 +322,10 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     if (is_gap(c)) continue;
     auto const& k = *frame.cell_slice(row, c);
     auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
+    float const beyond = std::max(beyond_, float_above(safely_above(std::max(top.far, bottom.far) + back)));
+    if (map.reaches(row, c, top.slope, bottom.slope, beyond)) continue;
     gates_[static_cast<std::size_t>(c)] = {top_end(top.slope, top.separating, k, back),
-                                           bottom_end(bottom.slope, bottom.separating, k, back),
-                                           float_above(safely_above(std::max(top.far, bottom.far) + back))};
+                                           bottom_end(bottom.slope, bottom.separating, k, back), beyond};
     ++written;
   }
   if (written > 0)

@@ -60,7 +60,7 @@ bool nearly_contains(Box const& body, Box const& part)
 Search::Search(PreparedScene const& scene, ViewCell const& cell, Options const& options)
   : scene_(&scene), cell_(&cell), options_(options), frames_(frames_of(cell.bounds(), options.resolution)),
     maps_(maps_of(frames_, options.components)), test_(together(frames_, maps_)),
-    writer_(floor_of(scene, cell.bounds()), options)
+    floor_(floor_of(scene, cell.bounds())), writer_(floor_, options)
 {
 }
 
@@ -156,13 +156,15 @@ void Search::enter(std::uint32_t object)
 bool Search::enter_occluder(std::uint32_t object, std::uint32_t i)
 {
   auto const& occluders = scene_->occluders();
-  if (!occluders.blocks_from(*cell_, i, scene_->object_bounds()[object])) return false;
+  Box const& owner = scene_->object_bounds()[object];
+  bool const blocks = occluders.blocks_from(*cell_, i, owner);
+  if (!blocks && !occluders.blocks_beyond_owner(i, floor_)) return false;
   Box const& bounds = occluders.bounds()[i];
   if (!meet(bounds, cell_->bounds()) && test_.hidden(bounds)) return true;
   occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
   ++counts_.occluders;
   for (std::size_t f = 0; f < frames_.size(); ++f)
-    counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f]);
+    counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f], blocks ? nullptr : &owner);
   return true;
 }
 

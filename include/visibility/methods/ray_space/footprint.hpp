@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 /// Which pixels the lines that meet a box in plan belong to. [Leyvand03, section 2.2]; proofs/ray_space.md,
 /// "Footprints".
@@ -48,22 +49,40 @@ inline bool in_reach(Frame const& frame, Box const& box)
   return in_reach(frame.local(box.min)) && in_reach(frame.local(box.max));
 }
 
+/// What rows and columns of a footprint are wider by, for rounding.
+inline double slack_of(Frame const& frame, LocalBox const& b)
+{
+  return frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)), std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
+}
+
+/// The rows that the box's footprint meets: from first on, up to but without second.
+inline std::pair<int, int> rows_of(Frame const& frame, LocalBox const& b)
+{
+  // Lines with |s| at most that of the frame reach the box with slopes between these; one that has all its v on one
+  // side, further than lines that fall behind the middle of the cell get, only where u > 0.
+  double const s = frame.s(frame.columns()) + slack_of(frame, b), t = frame.t(frame.rows());
+  double const low = b.v0 - s, high = b.v1 + s, behind = t * std::max(0.0, -b.u0);
+  double t0 = -t, t1 = t;
+  if (b.u0 > 0) {
+    t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
+  } else if (low > behind || high < -behind) {
+    if (!(b.u1 > 0)) return {0, 0};
+    (low > behind ? t0 : t1) = (low > behind ? low : high) / b.u1;
+  }
+  int const rows = frame.rows();
+  double const step = frame.t(1) - frame.t(0);
+  int const first = std::max(0, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(rows))));
+  int const last = std::min(rows, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(rows))));
+  return {first, last};
+}
+
 /// Calls in_row(row, from, to) with the pixels that the box's footprint meets, until it returns false. Returns whether
 /// it always returned true. Begins with row `start` if it is one of them.
 template <class InRow>
 bool every_row(Frame const& frame, LocalBox const& b, InRow&& in_row, int start = 0)
 {
-  double const slack =
-    frame.margin({std::max(std::fabs(b.u0), std::fabs(b.u1)), std::max(std::fabs(b.v0), std::fabs(b.v1)), 0});
-  int first = 0, last = frame.rows();
-  if (b.u0 > 0) {
-    // Lines with |s| at most that of the frame reach the box with slopes between these.
-    double const s = frame.s(frame.columns()) + slack, step = frame.t(1) - frame.t(0);
-    double const low = b.v0 - s, high = b.v1 + s;
-    double const t0 = low / (low < 0 ? b.u0 : b.u1), t1 = high / (high > 0 ? b.u0 : b.u1);
-    first = std::max(first, static_cast<int>(std::clamp((t0 - frame.t(0)) / step - 2, -1.0, double(last))));
-    last = std::min(last, static_cast<int>(std::clamp((t1 - frame.t(0)) / step + 3, 0.0, double(last))));
-  }
+  double const slack = slack_of(frame, b);
+  auto const [first, last] = rows_of(frame, b);
   auto const visit = [&](int row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double const least = std::min(std::min(t0 * b.u0, t0 * b.u1), std::min(t1 * b.u0, t1 * b.u1));

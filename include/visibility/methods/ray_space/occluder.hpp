@@ -1,9 +1,11 @@
 #pragma once
 
 #include "visibility/methods/ray_space/chords.hpp"
+#include "visibility/methods/ray_space/footprint.hpp"
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 #include "visibility/methods/ray_space/options.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace visibility::ray_space {
@@ -18,7 +20,9 @@ public:
 
   /// Returns the number of pixels written; those in which all of `bounds`, which contains the body, is hidden are left
   /// out, since it can add nothing there. Points out of the domain of the frame make the body no occluder.
-  std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map);
+  /// `inside`: null, or a box that contains `bounds`: then the gates hold for what lies beyond it alone.
+  std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map,
+                    Box const* inside = nullptr);
 
 private:
   /// The extremes of one end of the slices of a pixel. `far`: the largest u.
@@ -39,13 +43,16 @@ private:
 
   bool localize(Chords const& body, Frame const& frame);
   std::size_t write_upright_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
-  void cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row);
+  void cross_upright_row(std::vector<Chord> const& chords, Frame const& frame, int row, int from, int to);
   std::size_t write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from, int to);
   void cross_row(Frame const& frame, int row, RowChord const& chord, int from, int to);
-  void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, bool only_gaps);
+  void add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, int from, int to, bool only_gaps);
   bool is_gap(int column) const;
+  std::pair<int, int> leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map, int row, int from,
+                                 int to);
 
   double floor_;
+  float beyond_ = 0;  // of all gates of the body, at least
   Options options_;
   std::vector<LocalPoint> points_;
   std::vector<double> margin_;

@@ -30,6 +30,15 @@ public:
   /// whether any is not.
   bool visible_pixels(int row, int from, int to, Extent const& extent, std::int32_t* open) const;
 
+  /// Whether the largest gate of the pixel reaches at least as high and as low as these slopes of supporting lines
+  /// (-infinity: an open bottom) and holds from as near on: a gate within can add nothing to it.
+  bool reaches(int row, int c, double top, double bottom, double from) const
+  {
+    return column(row, 0, top_slope)[c] >= top && column(row, 0, beyond)[c] <= from &&
+           (column(row, 0, bottom_base)[c] == -std::numeric_limits<float>::infinity() ||
+            column(row, 0, bottom_slope)[c] <= bottom);
+  }
+
   int components() const { return components_; }
   /// A gate of a pixel; one that hides nothing has beyond = infinity.
   Gate gate(int row, int column, int component) const;

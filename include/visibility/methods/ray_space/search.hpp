@@ -40,6 +40,7 @@ private:
   std::vector<Frame> frames_;
   std::vector<OcclusionMap> maps_;
   OccludeeTest test_;
+  double floor_;  // no point of the cell and of what is looked for lies lower
   OccluderWriter writer_;
   Counts counts_;
   Chords chords_;
