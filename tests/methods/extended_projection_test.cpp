@@ -1,4 +1,6 @@
 #include "support/catch.hpp"
+#include "support/random.hpp"
+#include "support/trials.hpp"
 
 #include "visibility/methods/extended_projection/method.hpp"
 #include "visibility/methods/extended_projection/projection_map.hpp"
@@ -10,6 +12,8 @@
 
 using namespace visibility;
 using namespace visibility::extended_projection;
+using visibility::test::Random;
+using visibility::test::trials;
 
 namespace {
 
@@ -173,6 +177,45 @@ TEST_CASE("extended projection: of an occluder across the plane the vertices of 
     map.add(part);
   }
   REQUIRE(map.hides(views.frame(object)));
+}
+
+TEST_CASE("extended projection: the closed form for box cells hides what the general one does", "[methods][law]")
+{
+  int hidden = 0, asked = 0;
+  for (int trial = 0; trial < trials(60); ++trial) {
+    CAPTURE(trial);
+    Random random(static_cast<std::uint64_t>(trial) + 3);
+    double const size = std::ldexp(1, random.between(-20, 20)), far = random.chance(0.3) ? 1e6 * size : 0;
+    auto const number = [&](double low, double high) { return size * random.uniform(low, high); };
+    Box cell_box{{far, -far, 0}, {}};
+    cell_box.max = {far + number(0.01, 2), -far + number(0.01, 2), number(0.01, 2)};
+    ViewCell const cell(cell_box);
+    CellViews const views(frames[4], cell);
+    CellViews general = views;
+    general.is_box = false;
+    double const plane = cell_box.max.z + number(1, 10), half = 12 * size;
+    Grid const grid = Grid::covering({far - half, -far - half}, {far + half, -far + half}, 64, 64);
+    ProjectionMap map(views, plane, grid), general_map(general, plane, grid);
+    for (int i = 0; i < 6; ++i) {
+      double const w = cell_box.max.z + number(0.5, 0.9), x = far + number(-8, 2), y = -far + number(-8, 2);
+      ConvexPart part;
+      for (auto const& p : Box{{x, y, w}, {x + number(4, 8), y + number(4, 8), w}}.corners()) part.push_back({p});
+      map.add(part);
+      general_map.add(part);
+    }
+    map.refresh();
+    general_map.refresh();
+    for (int i = 0; i < 200; ++i) {
+      Box box{{far + number(-6, 6), -far + number(-6, 6), cell_box.max.z + number(0, 20)}, {}};
+      box.max = {box.min.x + number(0, 2), box.min.y + number(0, 2), box.min.z + number(0, 2)};
+      REQUIRE(map.hides(box) == general_map.hides(box));
+      hidden += map.hides(box) ? 1 : 0;
+      ++asked;
+    }
+  }
+  CAPTURE(hidden, asked);
+  CHECK(20 * hidden > asked);
+  CHECK(20 * (asked - hidden) > asked);
 }
 
 TEST_CASE("extended projection: options out of range are refused", "[methods]")

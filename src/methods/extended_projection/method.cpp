@@ -114,9 +114,15 @@ private:
   {
     added_[occluder] = true;
     ++count_;
-    for (auto& m : maps_)
-      if (at_infinity_ || m.seems_useful(occluder_box(scene_.occluders(), occluder, m.cell().frame)))
-        pixels_ += projector_.add(occluder, m);
+    CellViews const* cell = nullptr;  // maps of one direction stand together
+    Box box;
+    for (auto& m : maps_) {
+      if (&m.cell() != cell) {
+        cell = &m.cell();
+        box = occluder_box(scene_.occluders(), occluder, cell->frame);
+      }
+      if (at_infinity_ || m.seems_useful(box)) pixels_ += projector_.add(occluder, m);
+    }
     if (++since_refresh_ == refresh_after) refresh();
   }
 

@@ -11,8 +11,13 @@ template <class BoxIn>
 bool OccludeeSearch::any_hides(BoxIn&& box_in)
 {
   ++counts_.boxes_tested;
+  CellViews const* cell = nullptr;  // maps of one direction stand together
+  Box b;
   for (auto const& map : maps_) {
-    Box const b = box_in(map.cell().frame);
+    if (&map.cell() != cell) {
+      cell = &map.cell();
+      b = box_in(cell->frame);
+    }
     if (!(b.min.z > map.cell().near)) continue;
     if (map.hides(b) || (improved_ && map.cell().is_box && map.hides_improved(b))) return true;
   }

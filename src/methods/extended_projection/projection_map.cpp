@@ -171,8 +171,10 @@ std::int64_t ProjectionMap::add_slice(std::span<ContourEdge const> contours, dou
 bool ProjectionMap::hides(Box const& b) const
 {
   if (!(b.min.z > cell_->near)) return false;
-  auto const u = view_range(cell_->profile_u, b.min.x, b.max.x, b.min.z, b.max.z, plane_);
-  auto const v = view_range(cell_->profile_v, b.min.y, b.max.y, b.min.z, b.max.z, plane_);
+  auto const [u, v] = cell_->is_box
+                        ? box_view_range(cell_->bounds, b, plane_)
+                        : BoxViewRange{view_range(cell_->profile_u, b.min.x, b.max.x, b.min.z, b.max.z, plane_),
+                                       view_range(cell_->profile_v, b.min.y, b.max.y, b.min.z, b.max.z, plane_)};
   return hides({u.low, u.error}, {u.high, u.error}, {v.low, v.error}, {v.high, v.error}, b.min.z);
 }
 

@@ -46,6 +46,37 @@ inline ViewRange view_range(std::vector<Point2d> const& profile, double low, dou
   return {range.low, range.high, view_error(size)};
 }
 
+/// Of both coordinates of a box.
+struct BoxViewRange {
+  ViewRange u, v;
+};
+
+/// The same for both coordinates of a cell that is a box: its profiles are rectangles of the same two w, so four ratios
+/// do for all lines, and low ends come from low ends. Bit for bit what view_range() gives.
+inline BoxViewRange box_view_range(Box const& cell, Box const& box, double plane)
+{
+  constexpr ViewRange unknown{-HUGE_VAL, HUGE_VAL, 0};
+  Range u, v;
+  double size_u = std::max(std::fabs(cell.min.x), std::fabs(cell.max.x)),
+         size_v = std::max(std::fabs(cell.min.y), std::fabs(cell.max.y));
+  auto const look = [](double c, double low, double high, double ratio, Range& range, double& size) {
+    double const a = (low - c) * ratio, b = (high - c) * ratio;
+    range.low = std::min(range.low, c + a);
+    range.high = std::max(range.high, c + b);
+    size = std::max({size, std::fabs(a), std::fabs(b)});
+  };
+  for (double const c : {cell.min.z, cell.max.z})
+    for (double const w : {box.min.z, box.max.z}) {
+      double const ratio = (plane - c) / (w - c);
+      if (!in_domain(ratio)) return {unknown, unknown};
+      look(cell.min.x, box.min.x, box.max.x, ratio, u, size_u);
+      look(cell.max.x, box.min.x, box.max.x, ratio, u, size_u);
+      look(cell.min.y, box.min.y, box.max.y, ratio, v, size_v);
+      look(cell.max.y, box.min.y, box.max.y, ratio, v, size_v);
+    }
+  return {{u.low, u.high, view_error(size_u)}, {v.low, v.high, view_error(size_v)}};
+}
+
 /// A coordinate in pixels, moved by the bound of its error times `side`; in the raster its own rounding is below 2^-39.
 inline double in_pixels(Bounded const& x, double side, double origin, double step)
 {
