@@ -64,7 +64,13 @@ void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
   });
   double const rise = std::fabs(frame.rise());
   if (rise < steepest && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_)
-    carry_down(ground_ - height_ * std::min(depth_below, most_depth_away / rise));
+    carry_down(deep_along(rise));
+}
+
+/// `rise` of the frame: the way down may not lead far along w.
+double OccluderProjector::deep_along(double rise) const
+{
+  return ground_ - height_ * (rise > 0 ? std::min(depth_below, most_depth_away / rise) : depth_below);
 }
 
 /// If every vertex lies above the hull's side on the ground, the hull is what lies between its upper side and the

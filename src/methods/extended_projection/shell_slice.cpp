@@ -23,8 +23,7 @@ public:
   Slicer(EnclosingShell const& shell, Frame const& frame) : shell_(shell), frame_(frame)
   {
     for (auto const& p : shell.vertices) {
-      double const off = frame.error(p);
-      points_.push_back({frame(p), off, frame.w == axis_z ? 0 : off});
+      points_.push_back({frame(p), frame.error(p), frame.depth_error(p)});
     }
   }
 
@@ -90,6 +89,7 @@ private:
 
 std::optional<ShellSlice> slice(EnclosingShell const& shell, Frame const& frame, double at, Ground const* ground)
 {
+  if (!frame.turn.keeps_heights()) return {};  // the floor would cut the section aslant
   Slicer const slicer(shell, frame);
   auto const plane = slicer.certain_plane(at);
   if (!plane) return {};

@@ -27,10 +27,12 @@ public:
 
   bool is_above_ground() const { return is_above_ground_; }
   double ground() const { return ground_; }
-  double deep() const { return deep_; }  ///< how far down it carries what stands on the ground
+  /// Where it carries what stands on the ground down to, in frames with a vertical v.
+  double deep() const { return deep_along(0); }
 
 private:
   void collect(std::uint32_t occluder, Frame const& frame);
+  double deep_along(double rise) const;
   void carry_down(double deep);
 
   PreparedScene const* scene_;
