@@ -229,7 +229,7 @@ TEMPLATE_TEST_CASE("mesh slices: a ring hides what is behind it, and not what is
 TEMPLATE_TEST_CASE("mesh slices: the hunt finds nothing missing among closed meshes of any shape",
                    "[methods][conservative]", ExtendedProjection, OcclusionSweep)
 {
-  std::size_t fewer = 0, turned_slices = 0;
+  std::size_t fewer = 0, turned_slices = 0, tilted_slices = 0;
   for (int trial = 0; trial < trials(40); ++trial) {
     CAPTURE(trial);
     Random random(static_cast<std::uint64_t>(trial) + 70);
@@ -252,12 +252,15 @@ TEMPLATE_TEST_CASE("mesh slices: the hunt finds nothing missing among closed mes
     // A turned cell has planes along itself.
     Box const box{{-0.5, -0.8, -0.5}, {0.5, 0.8, 0.5}};
     std::vector<Point3d> corners;
-    for (auto const& p : box.corners()) corners.push_back({0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y, p.z});
-    bool const is_turned = random.chance(0.5);
+    bool const is_tilted = random.chance(0.3), is_turned = is_tilted || random.chance(0.4);
+    for (auto const& p : box.corners()) {
+      Point3d const q{0.8 * p.x - 0.6 * p.y, 0.6 * p.x + 0.8 * p.y, p.z};
+      corners.push_back(is_tilted ? Point3d{q.x, 0.96 * q.y - 0.28 * q.z, 0.28 * q.y + 0.96 * q.z} : q);
+    }
     ViewCell const cell = is_turned ? ViewCell::hull(corners) : ViewCell(box);
     Options options;
     options.resolution = 16 << random.below(5);
-    options.directions = random.chance(0.5) ? Directions::cell : Directions::automatic;
+    options.directions = is_tilted || random.chance(0.5) ? Directions::cell : Directions::automatic;
     if (random.chance(0.4)) options.reprojection = Reprojection::convolution;
     if (random.chance(0.5))
       for (int i = random.between(1, 6); i > 0; --i) options.distances.push_back(random.between(2, 30) * 0.5);
@@ -265,11 +268,12 @@ TEMPLATE_TEST_CASE("mesh slices: the hunt finds nothing missing among closed mes
     auto const report = check(prepared, cell, set.visible, Guarantee::conservative, {.rays = 20'000, .threads = 1});
     REQUIRE(report.missing.empty());
     if (is_turned && options.directions == Directions::cell)
-      turned_slices += static_cast<std::size_t>(set.statistics.at("slices"));
+      (is_tilted ? tilted_slices : turned_slices) += static_cast<std::size_t>(set.statistics.at("slices"));
     options.slices = false;
     fewer += TestType(options)(prepared, cell).visible.size() > set.visible.size();
   }
-  CAPTURE(fewer, turned_slices);
+  CAPTURE(fewer, turned_slices, tilted_slices);
   CHECK(fewer > 0);
   CHECK(turned_slices > 0);
+  CHECK(tilted_slices > 0);
 }

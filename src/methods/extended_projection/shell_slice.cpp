@@ -20,11 +20,9 @@ struct End {
 
 class Slicer {
 public:
-  Slicer(EnclosingShell const& shell, Frame const& frame) : shell_(shell), frame_(frame)
+  Slicer(EnclosingShell const& shell, Frame const& frame) : shell_(shell)
   {
-    for (auto const& p : shell.vertices) {
-      points_.push_back({frame(p), frame.error(p), frame.depth_error(p)});
-    }
+    for (auto const& p : shell.vertices) points_.push_back({frame(p), frame.error(p), frame.depth_error(p)});
   }
 
   /// A plane at or a little before this one that no vertex may be on either side of; none if it is hard to find. In
@@ -81,7 +79,6 @@ private:
   }
 
   EnclosingShell const& shell_;
-  Frame const& frame_;
   std::vector<PartPoint> points_;
 };
 
@@ -89,13 +86,14 @@ private:
 
 std::optional<ShellSlice> slice(EnclosingShell const& shell, Frame const& frame, double at, Ground const* ground)
 {
-  if (!frame.turn.keeps_heights()) return {};  // the floor would cut the section aslant
   Slicer const slicer(shell, frame);
   auto const plane = slicer.certain_plane(at);
   if (!plane) return {};
   ShellSlice out{*plane, {}, 0, -HUGE_VAL};
+  // A section that is tilted reaches above the floor and below.
+  if (!frame.turn.keeps_heights() && std::isfinite(shell.floor)) return {};
   // A level section is above the floor or below it.
-  if (!frame.has_vertical_v() && !((frame.up ? *plane : -*plane) > shell.floor)) return {};
+  if (frame.w == axis_z && !((frame.up ? *plane : -*plane) > shell.floor)) return {};
   bool const stands_on_ground = frame.has_vertical_v() && ground != nullptr && shell.floor <= ground->level;
   for (std::size_t f = 0; f < shell.facets(); ++f)
     if (!slicer.add_facet(shell.facet(f), *plane, stands_on_ground ? ground : nullptr, out)) return {};

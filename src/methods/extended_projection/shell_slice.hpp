@@ -24,7 +24,7 @@ struct ShellSlice {
 };
 
 /// The section at w = `at`. `ground`: what stands on it is carried down, in frames with a vertical v; may be null. None
-/// if there is none above the shell's floor, in frames that do not keep heights, or if rounding is in the way.
+/// if there is none above the shell's floor, or rounding is in the way.
 std::optional<ShellSlice> slice(EnclosingShell const& shell, Frame const& frame, double at, Ground const* ground);
 
 }  // namespace visibility::extended_projection
