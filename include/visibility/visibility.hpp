@@ -46,6 +46,7 @@
 #include "visibility/scene/faces.hpp"
 #include "visibility/scene/footprint.hpp"
 #include "visibility/scene/generators.hpp"
+#include "visibility/scene/ground_level.hpp"
 #include "visibility/scene/grounded.hpp"
 #include "visibility/scene/height_field.hpp"
 #include "visibility/scene/inner_bodies.hpp"

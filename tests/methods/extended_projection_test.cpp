@@ -2,6 +2,7 @@
 #include "support/random.hpp"
 #include "support/trials.hpp"
 
+#include "visibility/evidence/check.hpp"
 #include "visibility/methods/extended_projection/method.hpp"
 #include "visibility/methods/extended_projection/projection_map.hpp"
 #include "visibility/methods/extended_projection/sweep.hpp"
@@ -136,6 +137,35 @@ TEST_CASE("extended projection: a cell on the ground and houses on the ground", 
     for (double const z : {0.0, 2.0}) corners.push_back({p.x, p.y, z});
   REQUIRE(visible_names(scene_of({{"house", {{10, -20, 0}, {20, 20, 12}}}, {"shed", {{25, -3, 0}, {28, 3, 4}}}}),
                         ViewCell::hull(corners)) == Names{"house"});
+}
+
+TEMPLATE_TEST_CASE("extended projection: an object a hair below the ground costs the others nothing", "[methods]",
+                   ExtendedProjection, OcclusionSweep)
+{
+  auto const set_with = [](double low, double high) {
+    SceneBuilder b("test");
+    for (int x = 0; x < 20; ++x)
+      for (int y = -10; y < 10; ++y) {
+        b.begin_object("house");
+        b.add(Box{{20.0 * x, 20.0 * y, 0}, {20.0 * x + 19, 20.0 * y + 19, 10}});
+      }
+    b.begin_object("stray");
+    b.add(Box{{319.2, 5, low}, {319.8, 7, high}});
+    Scene const scene = b.finish();
+    PreparedScene const prepared(scene);
+    ViewCell const cell(Box{{-12, -2, 0}, {-8, 2, 2}});
+    auto const visible = TestType()(prepared, cell).visible;
+    REQUIRE(check(prepared, cell, visible, Guarantee::conservative, {.rays = 20'000, .threads = 1}).missing.empty());
+    return visible;
+  };
+  std::uint32_t const stray = 400;
+  auto const level = set_with(0, 5);
+  REQUIRE(level.size() < 200);
+  auto expected = level;
+  if (!std::ranges::binary_search(level, stray)) expected.push_back(stray);
+  REQUIRE(set_with(-1e-6, 5) == expected);
+  REQUIRE(set_with(-3, 5) == expected);
+  REQUIRE(set_with(-3, -1) == expected);  // below all houses, and seen below them
 }
 
 TEST_CASE("extended projection: cells on the ground do not see under meshes", "[methods]")

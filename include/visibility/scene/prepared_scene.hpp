@@ -3,6 +3,7 @@
 #include "visibility/scene/bounding_hierarchy.hpp"
 #include "visibility/scene/convex_bodies.hpp"
 #include "visibility/scene/enclosing_shells.hpp"
+#include "visibility/scene/ground_level.hpp"
 #include "visibility/scene/object_outlines.hpp"
 #include "visibility/scene/occluders.hpp"
 
@@ -29,6 +30,7 @@ public:
   EnclosingShells const& shells() const { return shells_; }
   std::span<Box const> object_bounds() const { return object_bounds_; }  ///< outward, one per object
   ObjectOutlines const& object_outlines() const { return object_outlines_; }
+  double ground() const { return ground_; }                                        ///< ground_level() of the objects
   BoundingHierarchy const& object_hierarchy() const { return object_hierarchy_; }  ///< items: positions in objects
   /// Items: positions in bodies(). The object hierarchy carried further: node i there holds the objects of which node i
   /// here holds the bodies.
@@ -44,8 +46,8 @@ private:
     : bodies_(scene), shells_(options != nullptr && options->shells ? EnclosingShells(bodies_, options->max_triangles)
                                                                     : EnclosingShells()),
       occluders_(options != nullptr ? Occluders(bodies_, *options) : Occluders(bodies_)),
-      object_bounds_(bounds_of_objects(bodies_)), object_outlines_(bodies_), object_hierarchy_(object_bounds_),
-      body_hierarchy_(object_hierarchy_, bodies_.first_of_object(), bodies_.bounds())
+      object_bounds_(bounds_of_objects(bodies_)), ground_(ground_level(object_bounds_)), object_outlines_(bodies_),
+      object_hierarchy_(object_bounds_), body_hierarchy_(object_hierarchy_, bodies_.first_of_object(), bodies_.bounds())
   {
     if (occluders_.inner_count() > 0)
       occluder_hierarchy_.emplace(object_hierarchy_, occluders_.first_of_object(), occluders_.bounds());
@@ -62,6 +64,7 @@ private:
   EnclosingShells shells_;
   Occluders occluders_;
   std::vector<Box> object_bounds_;
+  double ground_;
   ObjectOutlines object_outlines_;
   BoundingHierarchy object_hierarchy_, body_hierarchy_;
   std::optional<BoundingHierarchy> occluder_hierarchy_;

@@ -55,6 +55,7 @@ public:
   }
 
   std::vector<ProjectionMap> const& maps() const { return maps_; }
+  OccluderProjector const& projector() const { return projector_; }
 
   void add_object(std::uint32_t object)
   {
@@ -154,7 +155,7 @@ PotentiallyVisibleSet visible_set(PreparedScene const& scene, ViewCell const& ce
                                   ObjectSelection const* among)
 {
   Maps maps(scene, cell, options, among);
-  OccludeeSearch search(scene, cell, maps.maps(), options.improved);
+  OccludeeSearch search(scene, cell, maps.maps(), maps.projector(), options.improved);
   PotentiallyVisibleSet set;
   set.guarantee = Guarantee::conservative;
   if (options.more_occluders) {

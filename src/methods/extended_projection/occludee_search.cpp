@@ -26,11 +26,12 @@ bool OccludeeSearch::any_hides(BoxIn&& box_in)
 
 bool OccludeeSearch::hides(Box const& box)
 {
-  return any_hides([&](Frame const& frame) { return frame(box); });
+  return projector_.may_hide(box) && any_hides([&](Frame const& frame) { return frame(box); });
 }
 
 bool OccludeeSearch::hides_object(std::uint32_t object)
 {
+  if (!projector_.may_hide(scene_.object_bounds()[object])) return false;
   if (any_hides([&](Frame const& frame) { return object_box(scene_, object, frame); })) return true;
   auto const& bodies = scene_.bodies();
   auto const first = bodies.first_of_object()[object], last = bodies.first_of_object()[object + 1];

@@ -48,7 +48,7 @@ OccluderProjector::OccluderProjector(PreparedScene const& scene, ViewCell const&
   : scene_(&scene), cell_(&cell), depth_(depth)
 {
   Box const& all = scene.object_hierarchy().nodes()[0].bounds;
-  ground_ = all.min.z;
+  ground_ = cell.bounds().min.z >= scene.ground() ? scene.ground() : all.min.z;
   is_above_ground_ = cell.bounds().min.z >= ground_;
   height_ = std::max(all.max.z, cell.bounds().max.z) - ground_;
 }
@@ -63,7 +63,7 @@ void OccluderProjector::collect(std::uint32_t i, Frame const& frame)
       append_vertices(shape, vertices_);
   });
   double const rise = std::fabs(frame.rise());
-  if (rise < steepest && is_above_ground_ && scene_->occluders().bounds()[i].min.z == ground_)
+  if (rise < steepest && is_above_ground_ && scene_->occluders().bounds()[i].min.z <= ground_)
     carry_down(deep_along(rise));
 }
 
@@ -73,16 +73,18 @@ double OccluderProjector::deep_along(double rise) const
   return ground_ - height_ * (rise > 0 ? std::min(depth_below, most_depth_away / rise) : depth_below);
 }
 
-/// If every vertex lies above the hull's side on the ground, the hull is what lies between its upper side and the
-/// ground.
+/// If every vertex lies above the hull's lowest side, the hull is what lies between its upper side and the height of
+/// that.
 void OccluderProjector::carry_down(double deep)
 {
   constexpr std::size_t most = 64;
   if (vertices_.size() > most) return;
+  double const foot = std::ranges::min(vertices_, {}, &Point3d::z).z;
+  if (foot <= deep) return;
   detail::plan::Polygon feet;
   for (auto const& p : vertices_)
-    if (p.z == ground_) feet.push_back(horizontal(p));
-  auto const has_foot = [&](Point3d const& p) { return p.z == ground_ || std::ranges::count(feet, horizontal(p)) > 0; };
+    if (p.z == foot) feet.push_back(horizontal(p));
+  auto const has_foot = [&](Point3d const& p) { return p.z == foot || std::ranges::count(feet, horizontal(p)) > 0; };
   if (!std::ranges::all_of(vertices_, has_foot)) {
     auto const side = detail::plan::convex_hull(feet);
     auto const is_above = [&](Point3d const& p) {
@@ -93,7 +95,7 @@ void OccluderProjector::carry_down(double deep)
     if (side.size() < 3 || !std::ranges::all_of(vertices_, is_above)) return;
   }
   for (auto& p : vertices_)
-    if (p.z == ground_) p.z = deep;
+    if (p.z == foot) p.z = deep;
 }
 
 std::int64_t OccluderProjector::add(std::uint32_t i, ProjectionMap& map, double until)

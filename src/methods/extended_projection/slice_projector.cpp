@@ -30,7 +30,8 @@ std::int64_t SliceProjector::add(std::uint32_t object, ProjectionMap& map)
     Box const b = map.cell().frame(shell.bounds);
     if (!(b.min.z < map.plane() && map.plane() <= b.max.z)) continue;
     if (!map.slice_seems_useful(b) || !encloses_from_outside(shell)) continue;
-    auto const section = slice(shell, map.cell().frame, map.plane(), ground_ ? &*ground_ : nullptr);
+    bool const stands_above = ground_ && shell.bounds.min.z >= ground_->level;
+    auto const section = slice(shell, map.cell().frame, map.plane(), stands_above ? &*ground_ : nullptr);
     if (!section) continue;
     ++count_;
     pixels += map.add_slice(section->edges, section->error, section->at, section->low);

@@ -129,7 +129,7 @@ private:
       [&](std::uint32_t node, Box const& box) {
         Box const b = frame(box);
         if (b.max.z <= before) return false;
-        if (!hides(b)) return true;
+        if (!projector_.may_hide(box) || !hides(b)) return true;
         hidden_.hide_group(node);
         ++groups_hidden_;
         return false;
@@ -137,7 +137,7 @@ private:
       [&](std::uint32_t object) {
         // What reaches beside the cell is not seen as a whole in this direction.
         Box const b = object_box(scene_, object, frame);
-        if (!(b.min.z > map.cell().near)) return;
+        if (!(b.min.z > map.cell().near) || !projector_.may_hide(scene_.object_bounds()[object])) return;
         if (hides_object(object, b))
           hidden_.hide(object);
         else

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visibility/methods/extended_projection/projection_map.hpp"
+#include "visibility/methods/extended_projection/occluder_projector.hpp"
 #include "visibility/scene/object_selection.hpp"
 #include "visibility/scene/prepared_scene.hpp"
 
@@ -20,8 +20,8 @@ public:
 
   /// Keeps references.
   OccludeeSearch(PreparedScene const& scene, ViewCell const& cell, std::vector<ProjectionMap> const& maps,
-                 bool improved)
-    : scene_(scene), cell_(cell), maps_(maps), improved_(improved)
+                 OccluderProjector const& projector, bool improved)
+    : scene_(scene), cell_(cell), maps_(maps), projector_(projector), improved_(improved)
   {
   }
 
@@ -43,6 +43,7 @@ private:
   PreparedScene const& scene_;
   ViewCell const& cell_;
   std::vector<ProjectionMap> const& maps_;
+  OccluderProjector const& projector_;
   bool improved_;
   Counts counts_;
 };

@@ -10,9 +10,10 @@ namespace visibility::extended_projection {
 /// Projects the convex occluders of a scene: cuts each into parts for which the vertices of the cell suffice, and adds
 /// these to a map.
 ///
-/// Upright solids that stand on the lowest level of the scene are carried on downwards: no sight line passes below that
-/// level if the cell lies above it, so nothing changes but that rounding at the foot of walls costs no pixels, and that
-/// parts of a plane below the ground are covered (proofs/extended_projection.md, "Ground").
+/// Upright solids that stand on the ground or reach below it are carried on downwards: no sight line to what stands
+/// above passes below the ground if the cell lies above it, so for this nothing changes but that rounding at the foot
+/// of walls costs no pixels, and that parts of a plane below the ground are covered (proofs/extended_projection.md,
+/// "Ground"). The ground is that of the scene, or its lowest point for a cell that is lower.
 class OccluderProjector {
 public:
   OccluderProjector(PreparedScene const& scene, ViewCell const& cell, PartDepth depth = PartDepth::part);
@@ -27,6 +28,8 @@ public:
 
   bool is_above_ground() const { return is_above_ground_; }
   double ground() const { return ground_; }
+  /// Whether what lies in the box, of the scene, may be hidden by what this adds.
+  bool may_hide(Box const& box) const { return !is_above_ground_ || box.min.z >= ground_; }
   /// Where it carries what stands on the ground down to, in frames with a vertical v.
   double deep() const { return deep_along(0); }
 
