@@ -79,7 +79,7 @@ def scenes(comparison: dict) -> Table:
         for mine in of_method.values():
             row = next((r for r in mine if r["scene_index"] == i), None)
             excess = table.median_of(row, table.excess) if row else None
-            cells.append(f"{text(table.query_ms(row))} · {text(excess)}" if row else None)
+            cells.append(f"{text(table.query_ms(row))} · {text(excess)}".replace(" ", "\u00a0") if row else None)
         rows.append([scene["name"], finished[0]["objects"], "E" if table.has_truth(finished) else "seen", *cells])
     labels = [table.method_of(comparison, mine[0]).label for mine in of_method.values()]
     return Table("Scenes", ["scene", "objects", "against", *labels], rows,

@@ -26,7 +26,7 @@ class Summaries(unittest.TestCase):
 
     def test_scenes_have_time_and_set_of_each_method(self) -> None:
         town = line(summaries.scenes(KNOWN), "town")
-        self.assertEqual((town["objects"], town["against"], town["ray-space"], town["exact-2.5d"]), (10, "E", "30 · 1.5", "20 · 1"))
+        self.assertEqual((town["objects"], town["against"], town["ray-space"], town["exact-2.5d"]), (10, "E", "30\u00a0·\u00a01.5", "20\u00a0·\u00a01"))
 
     def test_options_are_held_against_the_method_as_it_comes(self) -> None:
         table = summaries.options(KNOWN)
