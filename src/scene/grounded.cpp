@@ -1,5 +1,6 @@
 #include "visibility/scene/grounded.hpp"
 
+#include "polygon_sides.hpp"
 #include "upper_boundary.hpp"
 
 #include "visibility/predicates/orient2d.hpp"
@@ -12,7 +13,7 @@ namespace visibility {
 
 namespace {
 
-bool same_in_plan(Point3d const& p, Point3d const& q) { return p.x == q.x && p.y == q.y; }
+using height_field::same_in_plan;
 
 std::string shortest(double x)
 {

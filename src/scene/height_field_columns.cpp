@@ -1,5 +1,6 @@
 #include "height_field_columns.hpp"
 
+#include "polygon_sides.hpp"
 #include "upper_boundary.hpp"
 
 #include "visibility/predicates/orient2d.hpp"
@@ -10,13 +11,6 @@
 #include <tuple>
 
 namespace visibility::height_field {
-
-namespace {
-
-bool less_in_plan(Point3d const& p, Point3d const& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
-bool same_in_plan(Point3d const& p, Point3d const& q) { return p.x == q.x && p.y == q.y; }
-
-}  // namespace
 
 auto ObjectColumns::of(Object const& object) -> Result const&
 {

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
 
-/// Corners of convex polygons in plan, counterclockwise, and their sides.
+/// Points in plan; corners of convex polygons in plan, counterclockwise, and their sides.
 namespace visibility::height_field {
+
+/// Lexicographically, whatever their heights.
+inline bool less_in_plan(Point3d const& p, Point3d const& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
+inline bool same_in_plan(Point3d const& p, Point3d const& q) { return p.x == q.x && p.y == q.y; }
 
 using Corners = std::span<Point3d const>;
 

@@ -13,8 +13,6 @@ namespace {
 
 using NT = RationalNumber;
 
-bool less_in_plan(Point3d const& p, Point3d const& q) { return std::tie(p.x, p.y) < std::tie(q.x, q.y); }
-bool same_in_plan(Point3d const& p, Point3d const& q) { return p.x == q.x && p.y == q.y; }
 auto plan_key(Point3d const& a, Point3d const& b) { return std::tuple(a.x, a.y, b.x, b.y); }
 
 /// A height over the line a + t (b - a).

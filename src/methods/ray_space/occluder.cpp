@@ -34,10 +34,6 @@ GateEnd bottom_end(double slope, double separating, CellSlice const& k, double b
   return e;
 }
 
-}  // namespace
-
-namespace {
-
 /// Whether the box is so narrow that no pixel has all its lines cross it. At slope t it is at most v1 - v0 + |t| (u1 -
 /// u0) wide, and the lines of a pixel are a column and, at the distance of the box, a row apart. Rounded: a choice.
 bool is_narrower_than_pixels(Frame const& frame, LocalBox const& b)
