@@ -79,7 +79,8 @@ Point3d CellPoints::near_boundary(Random& random) const
   Point3d p = boundary_point(random);
   if (random.chance(0.5))
     if (Point3d const other = boundary_point(random); other.z > p.z) p = other;
-  return settled(mix(p, centre_, random.log_uniform(1e-6, 1e-2)));
+  constexpr double nearest = 1e-6, farthest = 1e-2;  // shares of the way to the centre: a choice
+  return settled(mix(p, centre_, random.log_uniform(nearest, farthest)));
 }
 
 Point3d CellPoints::any(Random& random) const { return random.chance(0.4) ? in_volume(random) : near_boundary(random); }

@@ -230,7 +230,8 @@ Point3d middle(PreparedScene const& scene, Face const& face, Point3d const& from
   }
   Ball const& ball = s.balls[face.primitive];
   double const dx = from.x - ball.centre.x, dy = from.y - ball.centre.y, dz = from.z - ball.centre.z;
-  double const scale = ball.radius / std::fmax(std::hypot(dx, dy, dz), 1e-300);  // finite even from the centre
+  constexpr double no_length = 1e-300;  // in place of 0: finite even from the centre
+  double const scale = ball.radius / std::fmax(std::hypot(dx, dy, dz), no_length);
   return {ball.centre.x + scale * dx, ball.centre.y + scale * dy, ball.centre.z + scale * dz};
 }
 

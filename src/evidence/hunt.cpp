@@ -152,7 +152,8 @@ private:
   {
     Aim const& aim = *plan.aim;
     if (knowledge_.wanted[aim.object] == 0 || hit.object == aim.object) return;
-    if (!hit.from_inside && hit.distance > 1 - 1e-5)
+    constexpr double near_enough = 1 - 1e-5;
+    if (!hit.from_inside && hit.distance > near_enough)
       out.proposals.push_back({{aim.object, aim.face, plan.origin, aim.point}, strategy});
     else if (!hit.from_inside && out.blocked.size() < blocks_per_chunk)
       out.blocked.push_back({aim.object, hit.object, plan.origin});

@@ -6,17 +6,25 @@ namespace visibility::detail {
 
 namespace {
 
+// Where rays are aimed is a choice; what they prove is decided exactly.
+
+/// How near to a border, as a share, aims come: edges that are just seen, and nothing that single precision loses.
+constexpr double nearest_border = 1e-4;
+
+/// In place of a length of 0 below a fraction: aims stay finite.
+constexpr double no_length = 1e-300;
+
 /// In (0, 1); half of the time near an end, at any scale.
 double border_biased(Random& random)
 {
-  double const t = random.chance(0.5) ? random.unit() : random.log_uniform(1e-4, 0.5);
+  double const t = random.chance(0.5) ? random.unit() : random.log_uniform(nearest_border, 0.5);
   return random.chance(0.5) ? t : 1 - t;
 }
 
 /// The same with a preference for the upper end.
 double top_biased(Random& random)
 {
-  return random.chance(0.5) ? 1 - random.log_uniform(1e-4, 0.5) : border_biased(random);
+  return random.chance(0.5) ? 1 - random.log_uniform(nearest_border, 0.5) : border_biased(random);
 }
 
 double between(double lo, double hi, double t) { return lo + t * (hi - lo); }
@@ -84,11 +92,11 @@ Aim aim_at_ball(Random& random, Ball const& ball, std::uint32_t index, Point3d c
 {
   Point3d const d = random.direction();
   double const gx = from.x - ball.centre.x, gy = from.y - ball.centre.y, gz = from.z - ball.centre.z;
-  double const g = std::fmax(std::hypot(gx, gy, gz), 1e-300);
+  double const g = std::fmax(std::hypot(gx, gy, gz), no_length);
   double const tilt =
-    random.chance(0.5) ? random.unit() * 2 : std::fmin(ball.radius / g, 1.0) + random.log_uniform(1e-4, 1);
+    random.chance(0.5) ? random.unit() * 2 : std::fmin(ball.radius / g, 1.0) + random.log_uniform(nearest_border, 1);
   double const vx = d.x + tilt * gx / g, vy = d.y + tilt * gy / g, vz = d.z + tilt * gz / g;
-  double const scale = ball.radius / std::fmax(std::hypot(vx, vy, vz), 1e-300);
+  double const scale = ball.radius / std::fmax(std::hypot(vx, vy, vz), no_length);
   return {0,
           {Face::Kind::sphere, index, 0},
           {ball.centre.x + scale * vx, ball.centre.y + scale * vy, ball.centre.z + scale * vz}};
@@ -116,10 +124,10 @@ Point3d on_outline(Random& random, Ball const& ball, Point3d const& from)
 {
   Point3d const d = random.direction();
   double const gx = from.x - ball.centre.x, gy = from.y - ball.centre.y, gz = from.z - ball.centre.z;
-  double const gg = std::fmax(gx * gx + gy * gy + gz * gz, 1e-300), along = (d.x * gx + d.y * gy + d.z * gz) / gg;
+  double const gg = std::fmax(gx * gx + gy * gy + gz * gz, no_length), along = (d.x * gx + d.y * gy + d.z * gz) / gg;
   double const px = d.x - along * gx, py = d.y - along * gy, pz = d.z - along * gz;
   double const r = ball.radius, lift = r * r / gg,
-               across = r * std::sqrt(std::fmax(0, 1 - lift)) / std::fmax(std::hypot(px, py, pz), 1e-300);
+               across = r * std::sqrt(std::fmax(0, 1 - lift)) / std::fmax(std::hypot(px, py, pz), no_length);
   return {ball.centre.x + lift * gx + across * px, ball.centre.y + lift * gy + across * py,
           ball.centre.z + lift * gz + across * pz};
 }
@@ -229,7 +237,7 @@ Point3d ObjectPoints::nearest(Random& random, std::uint32_t object, Point3d cons
     Edge const e = edge(random, object, p, false);
     double const dx = e.b.x - e.a.x, dy = e.b.y - e.a.y, dz = e.b.z - e.a.z;
     double const along = dx * (p.x - e.a.x) + dy * (p.y - e.a.y) + dz * (p.z - e.a.z);
-    double const t = std::clamp(along / std::fmax(dx * dx + dy * dy + dz * dz, 1e-300), 0.0, 1.0);
+    double const t = std::clamp(along / std::fmax(dx * dx + dy * dy + dz * dz, no_length), 0.0, 1.0);
     Point3d const q{between(e.a.x, e.b.x, t), between(e.a.y, e.b.y, t), between(e.a.z, e.b.z, t)};
     double const d = std::hypot(q.x - p.x, q.y - p.y, q.z - p.z);
     if (d < best_distance) best = q, best_distance = d;

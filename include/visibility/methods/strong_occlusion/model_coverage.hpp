@@ -24,12 +24,13 @@ inline Wide power(Wide base, unsigned exponent)
 template <class Term>
 double alternating_sum(Term const& term)
 {
+  constexpr double far_below_double = 1e-20;  // a share of the sum
   Wide sum = 0, last = 0;
   for (unsigned j = 1;; ++j) {
     Wide const t = term(j);
     if (t == 0) break;
     sum += j % 2 == 1 ? t : -t;
-    if (t < last && t < abs(sum) * 1e-20) break;  // what remains is less than the last term
+    if (t < last && t < abs(sum) * far_below_double) break;  // what remains is less than the last term
     last = t;
   }
   return std::clamp(static_cast<double>(sum), 0.0, 1.0);
