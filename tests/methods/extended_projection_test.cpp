@@ -1,3 +1,5 @@
+#include "scene/meshes.hpp"
+
 #include "support/catch.hpp"
 #include "support/random.hpp"
 #include "support/trials.hpp"
@@ -166,6 +168,76 @@ TEMPLATE_TEST_CASE("extended projection: an object a hair below the ground costs
   REQUIRE(set_with(-1e-6, 5) == expected);
   REQUIRE(set_with(-3, 5) == expected);
   REQUIRE(set_with(-3, -1) == expected);  // below all houses, and seen below them
+}
+
+TEMPLATE_TEST_CASE("extended projection: a pyramid deep below the ground is no wider above it", "[methods]",
+                   ExtendedProjection, OcclusionSweep)
+{
+  SceneBuilder b("test");
+  b.begin_object("pyramid");  // 3 to either side at z = 0
+  b.add(ConvexPolyhedron::hull(
+    std::vector<Point3d>{{-570, -600, -2000}, {630, -600, -2000}, {630, 600, -2000}, {-570, 600, -2000}, {30, 0, 10}}));
+  b.begin_object("beside");
+  b.add(Box{{60, 5, 0}, {61, 6, 2}});
+  for (int i = 0; i < 400; ++i) {
+    b.begin_object("house");
+    b.add(Box{{200.0 + 10 * (i % 20), 10.0 * (i / 20 - 10), 0}, {208.0 + 10 * (i % 20), 10.0 * (i / 20 - 10) + 8, 8}});
+  }
+  Scene const scene = b.finish();
+  PreparedScene const prepared(scene);
+  REQUIRE(prepared.ground() == 0);
+  ViewCell const cell(Box{{-60, -1, 0}, {-58, 1, 2}});
+  auto const visible = TestType()(prepared, cell).visible;
+  REQUIRE(std::ranges::binary_search(visible, 1U));
+  REQUIRE(check(prepared, cell, visible, Guarantee::conservative, {.rays = 20'000, .threads = 1}).missing.empty());
+}
+
+TEMPLATE_TEST_CASE("extended projection: the hunt finds nothing missing where few reach below the ground",
+                   "[methods][conservative]", ExtendedProjection, OcclusionSweep)
+{
+  std::size_t hidden = 0, sunken_and_seen = 0;
+  for (int trial = 0; trial < trials(12); ++trial) {
+    CAPTURE(trial);
+    Random random(static_cast<std::uint64_t>(trial) + 17);
+    SceneBuilder b("test");
+    int const strays = random.between(1, 2);
+    for (int i = 0; i < 400; ++i) {
+      Point3d const at{14.0 * (i % 20) + random.uniform(0, 1), 14.0 * (i / 20 - 10) + random.uniform(0, 1), 0};
+      b.begin_object("house");
+      // Houses are boxes or closed meshes; a stray reaches below, or lies there.
+      bool const is_stray = i % 20 >= 8 && i % 20 < 8 + strays && i / 20 == 13;
+      double const low = is_stray ? -random.uniform(1e-9, 12) : 0;
+      double const high = is_stray && random.chance(0.4) ? low / 2 : random.uniform(2, 9);
+      if (random.chance(0.5)) {
+        b.add(Box{{at.x, at.y, low}, {at.x + 12, at.y + 12, high}});
+        continue;
+      }
+      test::Ring ring = test::plan_of(0);  // L
+      for (auto& p : ring) p = {at.x + p.x * 0.625, at.y + p.y * 0.625};
+      for (auto const& t : test::extrusion(ring, low, high)) {
+        auto const first = b.add_vertex(t.vertices[0]);
+        b.add_vertex(t.vertices[1]);
+        b.add_vertex(t.vertices[2]);
+        b.add_triangle(first, first + 1, first + 2);
+      }
+    }
+    Scene const scene = b.finish();
+    PreparedScene const prepared(scene, InnerBodyOptions{});
+    REQUIRE(prepared.ground() == 0);
+    double const z = random.chance(0.3) ? -random.uniform(0, 6) : random.chance(0.5) ? 0 : random.uniform(0, 4);
+    ViewCell const cell(Box{{-9, -3, z}, {-5, 3, z + 2}});
+    Options options;
+    options.resolution = 64 << random.below(3);
+    options.slices = random.chance(0.7);
+    auto const set = TestType(options)(prepared, cell).visible;
+    auto const report = check(prepared, cell, set, Guarantee::conservative, {.rays = 30'000, .threads = 1});
+    REQUIRE(report.missing.empty());
+    hidden += 400 - set.size();
+    for (auto const o : set) sunken_and_seen += prepared.object_bounds()[o].min.z < 0;
+  }
+  CAPTURE(hidden, sunken_and_seen);
+  CHECK(hidden > static_cast<std::size_t>(trials(12)) * 100);
+  CHECK(sunken_and_seen > 0);
 }
 
 TEST_CASE("extended projection: cells on the ground do not see under meshes", "[methods]")
