@@ -102,7 +102,7 @@ def options(comparison: dict) -> Table:
     rows = [[label, len(of), median(t for t, _ in of), median(s for _, s in of), min(s for _, s in of), max(s for _, s in of)]
             for label, of in pairs.items()]
     return Table("Options", ["", "scenes", "time / default", "set / default (median)", "(least)", "(greatest)"], rows,
-                 "Medians over the cells of a scene, then over scenes.") if rows else Table("Options", [], [])
+                 "Medians over the cells of a scene, then over scenes.")
 
 
 def arithmetic(comparison: dict) -> Table:

@@ -43,7 +43,7 @@ At look_at(HeightField const& field, std::uint32_t object, Point2q const& x)
 
 bool is_exposed_inside(HeightField const& field, std::uint32_t object, std::span<Point3d const> polygon)
 {
-  auto const all_enter = [&](Point3d const& a, Point3d const& b) {
+  auto const is_inside = [&](Point3d const& a, Point3d const& b) {
     return enters(polygon, horizontal(exact(a)), horizontal(exact(b)));
   };
   auto const is_seen = [&](std::uint32_t edge, Crossing crossing) {
@@ -59,7 +59,7 @@ bool is_exposed_inside(HeightField const& field, std::uint32_t object, std::span
                                               [&](HeightField::TopEdge const& e) { return field.object_of(e); });
   for (auto const& e : edges) {
     auto const index = static_cast<std::uint32_t>(&e - field.edges().data());
-    if (all_enter(e.a, e.b) && (is_seen(index, Crossing::entering) || is_seen(index, Crossing::leaving))) return true;
+    if (is_inside(e.a, e.b) && (is_seen(index, Crossing::entering) || is_seen(index, Crossing::leaving))) return true;
   }
   auto const columns = std::ranges::equal_range(field.columns(), object, {}, &HeightField::Column::object);
   for (auto const& column : columns) {

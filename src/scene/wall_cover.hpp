@@ -18,6 +18,7 @@ public:
   /// Keeps a reference. `ground`: where walls end, m.
   WallCover(ObjectColumns::Result const& object, double ground);
 
+  /// Whether some part of a wall, of positive area, is neither. Without edges above the ground: false.
   bool has_open_wall();
 
 private:

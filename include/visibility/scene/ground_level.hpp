@@ -10,7 +10,7 @@
 namespace visibility {
 
 /// The height on which objects with these bounds stand: that of the lowest, unless it is one of a few strays below a
-/// level on which half of all stand. What reaches below has to be treated apart.
+/// level on which half of all stand: then that level. What reaches below has to be treated apart. 0 without bounds.
 inline double ground_level(std::span<Box const> bounds)
 {
   constexpr std::size_t strays_per_object = 200;  // at most one in so many

@@ -23,8 +23,9 @@ public:
   Exact25d() = default;
   explicit Exact25d(Options options) : options_(options) {}
 
-  /// The visible objects: `exact`; `conservative` if columns reach into the cell so high that what they hide from parts
-  /// of it matters; `none` with `Double`. Statistics: see exact_25d::Counts.
+  /// The visible objects of the height field, which are those of the scene if field.raised() is 0: `exact`;
+  /// `conservative` if columns reach into the cell so high that what they hide from parts of it matters; `none` with
+  /// `Double`. Statistics: see exact_25d::Counts.
   PotentiallyVisibleSet operator()(HeightField const& field, ViewCell const& cell) const;
   /// The visible ones of occludees that are apart from what hides them; indices are those of the occludees' scene.
   /// Columns are occluders only. `conservative` only if columns reach the cell's top inside its outline.

@@ -26,8 +26,8 @@ public:
   /// is.
   void cut_nearer_than(double distance) { nearest_ = distance; }
 
-  bool is_above_ground() const { return is_above_ground_; }
-  double ground() const { return ground_; }
+  bool is_above_ground() const { return is_above_ground_; }  ///< the cell; if it is not, nothing is carried down
+  double ground() const { return ground_; }                  ///< its z, metres
   /// Whether what lies in the box, of the scene, may be hidden by what this adds.
   bool may_hide(Box const& box) const { return !is_above_ground_ || box.min.z >= ground_; }
   /// Where it carries what stands on the ground down to, in frames with a vertical v.
