@@ -49,7 +49,7 @@ Frame::Frame(Box const& cell, int family, int rows, int columns)
   columns_per_unit_ = columns / (s_.back() - s_.front());
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
-      slices_.push_back(make_slice(row, column));
+      slices_.push_back(cell_slice(pixel(row, column)));
       auto const& k = slices_.back();
       exits_.push_back(k.u_in <= k.u_out ? k.u_out : std::numeric_limits<double>::infinity());
     }
@@ -79,10 +79,9 @@ int Frame::columns_from(double limit) const
   return c;
 }
 
-/// Empty, u_in > u_out, if no line of the pixel meets the cell.
-CellSlice Frame::make_slice(int row, int column) const
+CellSlice Frame::cell_slice(Pixel const& pixel) const
 {
-  double const s0 = s(column), s1 = s(column + 1), t0 = t(row), t1 = t(row + 1);
+  auto const [s0, s1, t0, t1] = pixel;
   CellSlice k{-a_, a_, height_};
   // A line enters and leaves |v| <= h where v = -h and h if it rises, h and -h if it falls.
   double const flat = std::min(std::fabs(t0), std::fabs(t1)), steep = std::max(std::fabs(t0), std::fabs(t1));

@@ -13,11 +13,9 @@ PotentiallyVisibleSet make_set(std::vector<std::uint32_t> visible, ray_space::Co
   PotentiallyVisibleSet set;
   set.guarantee = Guarantee::conservative;
   set.visible = std::move(visible);
-  set.statistics = {{"nodes", double(c.nodes)},
-                    {"objects", double(c.objects)},
-                    {"parts", double(c.parts)},
-                    {"occluders", double(c.occluders)},
-                    {"pixels", double(c.pixels)}};
+  set.statistics = {{"nodes", double(c.nodes)},   {"objects", double(c.objects)},
+                    {"parts", double(c.parts)},   {"occluders", double(c.occluders)},
+                    {"pixels", double(c.pixels)}, {"parts_of_pixels", double(c.parts_of_pixels)}};
   return set;
 }
 

@@ -64,6 +64,7 @@ bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
 
 void OccludeeTest::localize(Frame const& frame, std::span<Point3d const> points)
 {
+  frame_ = &frame;
   points_.clear();
   margin_.clear();
   nearest_ = HUGE_VAL, farthest_ = -HUGE_VAL;
@@ -74,28 +75,55 @@ void OccludeeTest::localize(Frame const& frame, std::span<Point3d const> points)
   }
   // What is behind the cell is not looked at.
   nearest_ = std::max(nearest_, -frame.half_length());
+  keep_plan_of_upright();
   for (auto const& p : points_)
     margin_.push_back(frame.margin({std::max(std::fabs(p.u), std::fabs(farthest_)), p.v, 0}));
   low_side_.resize(points_.size());
   high_side_.resize(points_.size());
 }
 
-void OccludeeTest::add(Frame const& frame, double u, double z, double du, double dz)
+/// Of points that are one polygon in plan at its lowest and at its highest height, one of each two is enough.
+void OccludeeTest::keep_plan_of_upright()
 {
-  double const back = frame.half_length();
-  extents_.push_back({near_of(u - du, back), far_of(u + du, back), float_below(safely_below(z - dz)),
-                      float_above(safely_above(z + dz))});
+  auto const [lowest, highest] = std::ranges::minmax(points_, {}, &LocalPoint::z);
+  lowest_ = lowest.z, highest_ = highest.z;
+  is_upright_ = std::ranges::all_of(points_, [&](LocalPoint const& p) { return p.z == lowest_ || p.z == highest_; });
+  if (!is_upright_ || lowest_ == highest_) return;
+  auto const has = [&](double u, double v, double z) {
+    return std::ranges::any_of(points_, [&](LocalPoint const& p) { return p.u == u && p.v == v && p.z == z; });
+  };
+  is_upright_ = std::ranges::all_of(
+    points_, [&](LocalPoint const& p) { return has(p.u, p.v, p.z == lowest_ ? highest_ : lowest_); });
+  if (is_upright_) std::erase_if(points_, [&](LocalPoint const& p) { return p.z == highest_; });
+}
+
+/// A point of the hull within du and dz of (u, z).
+void OccludeeTest::add(double u, double z, double du, double dz)
+{
+  if (is_upright_) {
+    clipped_near_ = std::min(clipped_near_, u - du);
+    clipped_far_ = std::max(clipped_far_, u + du);
+    return;
+  }
+  add_extent(u - du, u + du, z - dz, z + dz);
+}
+
+void OccludeeTest::add_extent(double near, double far, double low, double high)
+{
+  double const back = frame_->half_length();
+  extents_.push_back(
+    {near_of(near, back), far_of(far, back), float_below(safely_below(low)), float_above(safely_above(high))});
 }
 
 /// Fills extents_ with points whose hull contains what of the hull of points_ the lines of the pixel meet.
-void OccludeeTest::clip(Frame const& frame, int row, int column)
+void OccludeeTest::clip(Pixel const& pixel)
 {
   extents_.clear();
+  clipped_near_ = HUGE_VAL, clipped_far_ = -HUGE_VAL;
   std::size_t const n = points_.size();
-  double const s0 = frame.s(column), s1 = frame.s(column + 1);
+  auto const [s0, s1, t0, t1] = pixel;
   // The lines of a pixel lie between min(s0 + t0 u, s0 + t1 u) and max(s1 + t0 u, s1 + t1 u). Between the ends of the
   // hull the chord of the one is below it (concave), and that of the other above.
-  double const t0 = frame.t(row), t1 = frame.t(row + 1);
   double const low_a = std::min(t0 * nearest_, t1 * nearest_), low_b = std::min(t0 * farthest_, t1 * farthest_);
   double const high_a = std::max(t0 * nearest_, t1 * nearest_), high_b = std::max(t0 * farthest_, t1 * farthest_);
   double const length = farthest_ - nearest_;
@@ -105,7 +133,7 @@ void OccludeeTest::clip(Frame const& frame, int row, int column)
     double const along = p.u - nearest_;
     low_side_[i] = p.v - (s0 + low_a + low_t * along);  // >= 0 inside
     high_side_[i] = (s1 + high_a + high_t * along) - p.v;
-    if (low_side_[i] >= -margin_[i] && high_side_[i] >= -margin_[i]) add(frame, p.u, p.z, 0, 0);
+    if (low_side_[i] >= -margin_[i] && high_side_[i] >= -margin_[i]) add(p.u, p.z, 0, 0);
   }
   for (auto const* const side : {&low_side_, &high_side_})
     for (std::size_t i = 0; i < n; ++i)
@@ -115,26 +143,41 @@ void OccludeeTest::clip(Frame const& frame, int row, int column)
         auto const &p = points_[i], &q = points_[j];
         double const width = b - a, off = (margin_[i] + margin_[j]) / (4 * width) + 0x1p-50;
         for (double const part : {std::max(0.0, -a / width - off), std::min(1.0, -a / width + off)})
-          add(frame, p.u + part * (q.u - p.u), p.z + part * (q.z - p.z), 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u)),
+          add(p.u + part * (q.u - p.u), p.z + part * (q.z - p.z), 0x1p-48 * (std::fabs(p.u) + std::fabs(q.u)),
               0x1p-48 * (std::fabs(p.z) + std::fabs(q.z)));
       }
+  if (is_upright_ && clipped_near_ <= clipped_far_) add_extent(clipped_near_, clipped_far_, lowest_, highest_);
+}
+
+/// A gate hides a convex set iff it hides its extreme points.
+bool OccludeeTest::hidden_by_one_of(std::span<Gate const> gates) const
+{
+  auto const line = [](GateEnd const& end, double u) { return double(end.base) + double(end.slope) * u; };
+  return std::ranges::any_of(gates, [&](Gate const& g) {
+    return std::ranges::all_of(extents_, [&](Extent const& e) {
+      double const near = e.near, far = e.far;
+      return e.near > g.beyond && line(g.top, near) > e.high && line(g.top, far) > e.high &&
+             (reaches_ground(g) || (line(g.bottom, near) < e.low && line(g.bottom, far) < e.low));
+    });
+  });
 }
 
 bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
 {
-  clip(*f.frame, row, column);
-  // A gate hides a convex set iff it hides its extreme points.
-  for (int k = 0; k < f.map->components(); ++k) {
-    Gate const g = f.map->gate(row, column, k);
-    auto const hides = [&](Extent const& e) {
-      double const near = e.near, far = e.far;
-      auto const line = [](GateEnd const& end, double u) { return double(end.base) + double(end.slope) * u; };
-      return e.near > g.beyond && line(g.top, near) > e.high && line(g.top, far) > e.high &&
-             (reaches_ground(g) || (line(g.bottom, near) < e.low && line(g.bottom, far) < e.low));
-    };
-    if (std::ranges::all_of(extents_, hides)) return true;
-  }
-  return false;
+  if (f.refined != nullptr) return hidden_in_part(*f.refined, f.refined->part(row, column));
+  clip(f.frame->pixel(row, column));
+  GateList list;
+  for (int k = 0; k < f.map->components(); ++k) list.keep(f.map->gate(row, column, k));
+  return hidden_by_one_of(list.gates());
+}
+
+bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part)
+{
+  if (map[part].is_empty()) return true;
+  clip(map[part].pixel());
+  if (extents_.empty() || hidden_by_one_of(map[part].gates())) return true;
+  auto const first = map.halves(part, std::max(0.0, nearest_));
+  return first && hidden_in_part(map, *first) && hidden_in_part(map, *first + 1);
 }
 
 }  // namespace visibility::ray_space

@@ -17,23 +17,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr float nowhere = std::numeric_limits<float>::infinity();  ///< what a gate that hides nothing holds beyond
 
-GateEnd top_end(double slope, double separating, CellSlice const& k, double back)
-{
-  GateEnd e{float_below(safely_below(slope)), 0, float_below(safely_below(separating))};
-  double const run = (e.slope >= 0 ? k.u_in : k.u_out) + back, drop = double(e.slope) * run;
-  e.base = float_below(k.height - drop - 0x1p-47 * (k.height + std::fabs(double(e.slope)) * 2 * back));
-  return e;
-}
-
-GateEnd bottom_end(double slope, double separating, CellSlice const& k, double back)
-{
-  if (slope == -infinity) return open_bottom;
-  GateEnd e{float_above(safely_above(slope)), 0, float_above(safely_above(separating))};
-  double const run = (e.slope >= 0 ? k.u_out : k.u_in) + back, drop = double(e.slope) * run;
-  e.base = float_above(-drop + 0x1p-47 * std::fabs(double(e.slope)) * 2 * back);
-  return e;
-}
-
 /// Whether the box is so narrow that no pixel has all its lines cross it. At slope t it is at most v1 - v0 + |t| (u1 -
 /// u0) wide, and the lines of a pixel are a column and, at the distance of the box, a row apart. Rounded: a choice.
 bool is_narrower_than_pixels(Frame const& frame, LocalBox const& b)
@@ -96,28 +79,12 @@ void OccluderWriter::cross_row(Frame const& frame, int row, RowChord const& chor
     if (!(all.u_low - k->u_out > 0x1p-30 * frame.half_length())) continue;
     // At constant height the tangents are extreme where the distance is.
     std::span<SlicePoint const> const extremes = p.z == q.z ? std::span(&all, 1) : std::span<SlicePoint const>(corner);
-    auto& top = top_[static_cast<std::size_t>(c)];
-    auto& bottom = bottom_[static_cast<std::size_t>(c)];
-    // One corner shows where a chord cannot be better than those before it.
-    if (chord.top && least_upper_tangent(*k, extremes.front()) > top.slope) {
-      End e{infinity, infinity, all.u_high};
-      for (auto const& x : extremes) {
-        e.slope = std::min(e.slope, least_upper_tangent(*k, x));
-        e.separating = std::min(e.separating, least_lower_tangent(*k, x));
-      }
-      if (e.slope > top.slope) top = e;
-    }
-    if (chord.ground) {
-      if (bottom.slope != -infinity || all.u_high < bottom.far) bottom = {-infinity, -infinity, all.u_high};
-    } else if (chord.bottom && bottom.slope != -infinity && options_.umbra == Umbra::full &&
-               greatest_lower_tangent(*k, extremes.front()) < bottom.slope) {
-      End e{-infinity, -infinity, all.u_high};
-      for (auto const& x : extremes) {
-        e.slope = std::max(e.slope, greatest_lower_tangent(*k, x));
-        e.separating = std::max(e.separating, greatest_upper_tangent(*k, x));
-      }
-      if (e.slope < bottom.slope) bottom = e;
-    }
+    auto& ends = ends_[static_cast<std::size_t>(c)];
+    if (chord.top) ends.take_top(*k, extremes, all.u_high);
+    if (chord.ground)
+      ends.take_ground(all.u_high);
+    else if (chord.bottom && options_.umbra == Umbra::full)
+      ends.take_bottom(*k, extremes, all.u_high);
   }
 }
 
@@ -198,13 +165,12 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
     auto const& k = *frame.cell_slice(row, column);
     SlicePoint const upper{for_top.low[c], for_top.high[c], top - slack, top + slack};
     SlicePoint const lower{for_bottom.low[c], for_bottom.high[c], bottom - slack, bottom + slack};
-    double const top_slope = least_upper_tangent(k, upper);
-    double const bottom_slope = open_below ? -infinity : greatest_lower_tangent(k, lower);
-    float const beyond = std::max(beyond_, float_above(safely_above(std::max(upper.u_high, lower.u_high) + back)));
-    if (map.reaches(row, column, top_slope, bottom_slope, beyond)) continue;
-    gates_[c] = {top_end(top_slope, least_lower_tangent(k, upper), k, back),
-                 open_below ? open_bottom : bottom_end(bottom_slope, greatest_upper_tangent(k, lower), k, back),
-                 beyond};
+    GateEnds const ends{
+      {least_upper_tangent(k, upper), least_lower_tangent(k, upper), upper.u_high},
+      {open_below ? -infinity : greatest_lower_tangent(k, lower), greatest_upper_tangent(k, lower), lower.u_high}};
+    float const beyond = std::max(beyond_, ends.distance(back));
+    if (map.reaches(row, column, ends.top.slope, ends.bottom.slope, beyond)) continue;
+    gates_[c] = ends.gate(k, back, beyond);
     ++written;
   }
   if (written > 0)
@@ -239,11 +205,7 @@ std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const&
   return {first, last};
 }
 
-bool OccluderWriter::is_gap(int column) const
-{
-  auto const c = static_cast<std::size_t>(column);
-  return top_[c].slope == -infinity || bottom_[c].slope == infinity;
-}
+bool OccluderWriter::is_gap(int column) const { return ends_[static_cast<std::size_t>(column)].lacks_one(); }
 
 void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& frame, int row, int first, int last,
                                 bool only_gaps)
@@ -259,40 +221,53 @@ void OccluderWriter::add_chords(std::vector<Chord> const& chords, Frame const& f
 }
 
 std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map,
-                                  Box const* inside)
+                                  RefinedMap* refined, Box const* inside)
 {
   if (!in_reach(frame, inside != nullptr ? *inside : bounds)) return 0;
   auto const box = local_box(frame, bounds);
-  if (!box || is_narrower_than_pixels(frame, *box) || !localize(body, frame)) return 0;
+  if (!box) return 0;
+  bool const is_narrow = is_narrower_than_pixels(frame, *box);
+  if ((is_narrow && refined == nullptr) || !localize(body, frame)) return 0;
   beyond_ = inside != nullptr ? local_box(frame, *inside)->extent.far : 0;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
   for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
   for (auto* const columns_of : {&below_, &above_}) columns_of->resize(points_.size());
-  top_.resize(columns);
-  bottom_.resize(columns);
+  ends_.resize(columns);
   open_.resize(columns);
   gates_.resize(columns);
   for (auto* const crossed : {&near_, &far_, &line_[0], &line_[1]})
     for (auto* const bound : {&crossed->low, &crossed->high}) bound->resize(columns + 1);
   std::size_t const plan_points = body.upright ? points_.size() / 2 : points_.size();
   std::size_t written = 0;
+  std::optional<std::uint32_t> number;
   auto const [first, last] = rows_of(frame, *box);
   for (int row = first; row < last; ++row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
-    double least = infinity, most = -infinity;
+    double least_below = infinity, most_below = -infinity, least_above = infinity, most_above = -infinity;
     for (std::size_t i = 0; i < plan_points; ++i) {
       auto const& p = points_[i];
       double const x = t0 * p.u, y = t1 * p.u;
       below_limit_[i] = p.v - std::max(x, y) - margin_[i];
       above_limit_[i] = p.v - std::min(x, y) + margin_[i];
-      least = std::min(least, above_limit_[i]);
-      most = std::max(most, below_limit_[i]);
+      least_below = std::min(least_below, below_limit_[i]);
+      most_below = std::max(most_below, below_limit_[i]);
+      least_above = std::min(least_above, above_limit_[i]);
+      most_above = std::max(most_above, above_limit_[i]);
     }
-    if (!(least < most)) continue;
-    int from = frame.columns_from(least), to = frame.columns_below(most);
+    // Pixels that the body covers, or for parts of pixels those that it touches.
+    int from = refined != nullptr ? frame.columns_below(least_below) : frame.columns_from(least_above);
+    int to = refined != nullptr ? frame.columns_from(most_above) : frame.columns_below(most_below);
     if (from >= to || !map.visible_pixels(row, from, to, box->extent, &open_[static_cast<std::size_t>(from)])) continue;
     std::tie(from, to) = leave_open(*box, frame, map, row, from, to);
     if (from >= to) continue;
+    if (refined != nullptr) {
+      if (!number) number = refined->bodies().add(body, points_, margin_, ground_, *box, beyond_);
+      for (int c = from; c < to; ++c)
+        if (open_[static_cast<std::size_t>(c)] != 0) refined->note(row, c, *number);
+      from = std::max(from, frame.columns_from(least_above));
+      to = std::min(to, frame.columns_below(most_below));
+    }
+    if (is_narrow || from >= to) continue;
     for (std::size_t i = 0; i < plan_points; ++i) {
       below_[i] = frame.columns_below(below_limit_[i]);
       above_[i] = frame.columns_from(above_limit_[i]);
@@ -306,10 +281,7 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
 std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, OcclusionMap& map, int row, int from,
                                       int to)
 {
-  for (int c = from; c < to; ++c) {
-    top_[static_cast<std::size_t>(c)] = {-infinity, -infinity, 0};
-    bottom_[static_cast<std::size_t>(c)] = {infinity, infinity, 0};
-  }
+  std::fill(ends_.begin() + from, ends_.begin() + to, GateEnds{});
   add_chords(body.edges, frame, row, from, to, false);
   add_chords(body.others, frame, row, from, to, true);
   std::size_t written = 0;
@@ -318,11 +290,10 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     gates_[static_cast<std::size_t>(c)].beyond = nowhere;
     if (is_gap(c)) continue;
     auto const& k = *frame.cell_slice(row, c);
-    auto const &top = top_[static_cast<std::size_t>(c)], &bottom = bottom_[static_cast<std::size_t>(c)];
-    float const beyond = std::max(beyond_, float_above(safely_above(std::max(top.far, bottom.far) + back)));
-    if (map.reaches(row, c, top.slope, bottom.slope, beyond)) continue;
-    gates_[static_cast<std::size_t>(c)] = {top_end(top.slope, top.separating, k, back),
-                                           bottom_end(bottom.slope, bottom.separating, k, back), beyond};
+    auto const& ends = ends_[static_cast<std::size_t>(c)];
+    float const beyond = std::max(beyond_, ends.distance(back));
+    if (map.reaches(row, c, ends.top.slope, ends.bottom.slope, beyond)) continue;
+    gates_[static_cast<std::size_t>(c)] = ends.gate(k, back, beyond);
     ++written;
   }
   if (written > 0)

@@ -1,6 +1,6 @@
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 
-#include "visibility/methods/ray_space/options.hpp"
+#include "visibility/methods/ray_space/gate_list.hpp"
 
 #include <array>
 
@@ -13,13 +13,6 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Where no line of a pixel meets the cell, everything is hidden.
 constexpr Gate closed{{0, infinity, infinity}, open_bottom, -infinity};
 constexpr Gate empty{{-infinity, -infinity, -infinity}, {infinity, infinity, infinity}, infinity};
-
-/// How much of the view a gate blocks, for the choice of what to keep.
-float size(Gate const& g)
-{
-  constexpr float steepest = 4;
-  return std::clamp(g.top.slope, -steepest, steepest) - std::clamp(g.bottom.slope, -steepest, steepest);
-}
 
 }  // namespace
 
@@ -100,37 +93,18 @@ void OcclusionMap::set(int row, int c, int k, Gate const& g)
   at(bottom_separating) = g.bottom.separating;
 }
 
-void OcclusionMap::insert(int row, int c, Gate gate)
+void OcclusionMap::insert(int row, int c, Gate const& gate)
 {
-  std::array<Gate, Options::max_components> kept;
-  int n = 0;
+  GateList list;
   for (int k = 0; k < components_; ++k) {
     Gate const g = this->gate(row, c, k);
     if (g.beyond == infinity) break;
-    if (dominates(g, gate)) return;
-    kept[static_cast<std::size_t>(n++)] = g;
+    list.keep(g);
   }
-  // Fusing may make it reach another, which it did not reach before.
-  for (int pass = 0; pass < n; ++pass) {
-    bool changed = false;
-    for (int k = 0; k < n; ++k)
-      if (auto const both = fused(kept[static_cast<std::size_t>(k)], gate)) gate = *both, changed = true;
-    if (!changed) break;
-  }
-  auto const last = std::remove_if(kept.begin(), kept.begin() + n, [&](Gate const& g) { return dominates(gate, g); });
-  n = static_cast<int>(last - kept.begin());
-  if (n < components_) {
-    kept[static_cast<std::size_t>(n++)] = gate;
-  } else {
-    auto const least =
-      std::min_element(kept.begin(), kept.begin() + n, [](Gate const& a, Gate const& b) { return size(a) < size(b); });
-    if (size(*least) > size(gate)) return;
-    *least = gate;
-  }
-  auto const largest =
-    std::max_element(kept.begin(), kept.begin() + n, [](Gate const& a, Gate const& b) { return size(a) < size(b); });
-  std::swap(kept.front(), *largest);
-  for (int k = 0; k < components_; ++k) set(row, c, k, k < n ? kept[static_cast<std::size_t>(k)] : empty);
+  if (!list.add(gate, components_)) return;
+  auto const kept = list.gates();
+  for (int k = 0; k < components_; ++k)
+    set(row, c, k, k < static_cast<int>(kept.size()) ? kept[static_cast<std::size_t>(k)] : empty);
 }
 
 namespace {

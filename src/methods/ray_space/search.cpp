@@ -26,10 +26,21 @@ std::vector<OcclusionMap> maps_of(std::vector<Frame> const& frames, int componen
   return out;
 }
 
-std::vector<OccludeeTest::Family> together(std::vector<Frame> const& frames, std::vector<OcclusionMap> const& maps)
+std::vector<RefinedMap> refined_maps_of(std::vector<Frame> const& frames, std::vector<OcclusionMap> const& maps,
+                                        Options const& options)
+{
+  std::vector<RefinedMap> out;
+  if (options.refinement == 0) return out;
+  for (std::size_t f = 0; f < frames.size(); ++f) out.emplace_back(frames[f], maps[f], options);
+  return out;
+}
+
+std::vector<OccludeeTest::Family> together(std::vector<Frame> const& frames, std::vector<OcclusionMap> const& maps,
+                                           std::vector<RefinedMap>& refined)
 {
   std::vector<OccludeeTest::Family> out;
-  for (std::size_t i = 0; i < frames.size(); ++i) out.push_back({&frames[i], &maps[i]});
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    out.push_back({&frames[i], &maps[i], refined.empty() ? nullptr : &refined[i]});
   return out;
 }
 
@@ -59,8 +70,8 @@ bool nearly_contains(Box const& body, Box const& part)
 
 Search::Search(PreparedScene const& scene, ViewCell const& cell, Options const& options)
   : scene_(&scene), cell_(&cell), options_(options), frames_(frames_of(cell.bounds(), options.resolution)),
-    maps_(maps_of(frames_, options.components)), test_(together(frames_, maps_)),
-    floor_(floor_of(scene, cell.bounds())), writer_(floor_, options)
+    maps_(maps_of(frames_, options.components)), refined_(refined_maps_of(frames_, maps_, options)),
+    test_(together(frames_, maps_, refined_)), floor_(floor_of(scene, cell.bounds())), writer_(floor_, options)
 {
 }
 
@@ -94,6 +105,7 @@ std::vector<std::uint32_t> Search::run()
       for (auto const child : {node.first, node.first + 1}) wait(child, false, hierarchy.nodes()[child].bounds);
     }
   }
+  for (auto const& r : refined_) counts_.parts_of_pixels += r.size();
   std::ranges::sort(visible);
   return visible;
 }
@@ -164,7 +176,8 @@ bool Search::enter_occluder(std::uint32_t object, std::uint32_t i)
   occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
   ++counts_.occluders;
   for (std::size_t f = 0; f < frames_.size(); ++f)
-    counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f], blocks ? nullptr : &owner);
+    counts_.pixels += writer_.write(chords_, bounds, frames_[f], maps_[f], refined_.empty() ? nullptr : &refined_[f],
+                                    blocks ? nullptr : &owner);
   return true;
 }
 

@@ -13,6 +13,11 @@ struct LocalPoint {
   double u, v, z;
 };
 
+/// A closed rectangle of lines v = s + t u.
+struct Pixel {
+  double s0, s1, t0, t1;
+};
+
 /// One of the four families of horizontal directions from a box-shaped cell, and its pixels.
 ///
 /// The family of +x holds the lines v = s + t u that run forward within the diagonals of the cell, |t| <= h / a, where
@@ -46,7 +51,13 @@ public:
   int columns_below(double limit) const;
   int columns_from(double limit) const;
 
-  /// A rectangle that contains the cell's slice for every line of the pixel; null if no line of it meets the cell.
+  Pixel pixel(int row, int column) const { return {s(column), s(column + 1), t(row), t(row + 1)}; }
+
+  /// A rectangle that contains the cell's slice for every line of the pixel; empty, u_in > u_out, if no line of it
+  /// meets the cell. Requires: the pixel lies in one of the frame's.
+  CellSlice cell_slice(Pixel const& pixel) const;
+
+  /// The same for a pixel of the frame, kept; null if no line of it meets the cell.
   CellSlice const* cell_slice(int row, int column) const
   {
     auto const& k = slices_[static_cast<std::size_t>(row) * (s_.size() - 1) + static_cast<std::size_t>(column)];
@@ -66,8 +77,6 @@ public:
   }
 
 private:
-  CellSlice make_slice(int row, int column) const;
-
   double Point3d::*forward_;
   double Point3d::*sideways_;
   double sign_;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "visibility/methods/ray_space/occlusion_map.hpp"
+#include "visibility/methods/ray_space/refined_map.hpp"
 
 #include <span>
 #include <utility>
@@ -14,23 +14,29 @@ namespace visibility::ray_space {
 /// not hidden: what is asked next is often a part of that, or beside it.
 class OccludeeTest {
 public:
-  /// A frame with its map. Requires: both outlive this.
+  /// A frame with its map, and the parts of its pixels or null. Requires: they outlive this.
   struct Family {
     Frame const* frame;
     OcclusionMap const* map;
+    RefinedMap* refined = nullptr;
   };
   explicit OccludeeTest(std::vector<Family> families) : families_(std::move(families)) {}
 
   /// One extent for the whole box.
   bool hidden(Box const& box);
-  /// In each pixel only what of the hull lies between its outermost lines. `bounds`: contains the points.
+  /// In each pixel, or each part of it, only what of the hull lies between its outermost lines. `bounds`: contains the
+  /// points.
   bool hidden(Box const& bounds, std::span<Point3d const> points);
 
 private:
   void localize(Frame const& frame, std::span<Point3d const> points);
   bool hidden_in_pixel(Family const& family, int row, int column);
-  void clip(Frame const& frame, int row, int column);
-  void add(Frame const& frame, double u, double z, double du, double dz);
+  bool hidden_in_part(RefinedMap& map, std::uint32_t part);
+  bool hidden_by_one_of(std::span<Gate const> gates) const;
+  void clip(Pixel const& pixel);
+  void keep_plan_of_upright();
+  void add(double u, double z, double du, double dz);
+  void add_extent(double near, double far, double low, double high);
 
   /// Whether all_hidden(family, row to begin with, row in which something showed) is true of every family.
   template <class AllHidden>
@@ -39,10 +45,14 @@ private:
   std::vector<Family> families_;
   std::size_t last_family_ = 0;  // where something was not hidden
   int last_row_ = 0;
+  Frame const* frame_ = nullptr;  // that the following are in
   std::vector<LocalPoint> points_;
   std::vector<double> margin_, low_side_, high_side_;
   double nearest_ = 0, farthest_ = 0;  // u of the hull
-  std::vector<Extent> extents_;        // points of the clipped hull in the slices
+  bool is_upright_ = false;            // points_ are its plan, from lowest_ to highest_
+  double lowest_ = 0, highest_ = 0;
+  double clipped_near_ = 0, clipped_far_ = 0;  // u of an upright hull's clipped plan
+  std::vector<Extent> extents_;                // points of the clipped hull in the slices
 };
 
 }  // namespace visibility::ray_space

@@ -2,8 +2,10 @@
 
 #include "visibility/methods/ray_space/chords.hpp"
 #include "visibility/methods/ray_space/footprint.hpp"
+#include "visibility/methods/ray_space/gate_ends.hpp"
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 #include "visibility/methods/ray_space/options.hpp"
+#include "visibility/methods/ray_space/refined_map.hpp"
 
 #include <utility>
 #include <vector>
@@ -21,14 +23,11 @@ public:
   /// Returns the number of pixels written; those in which all of `bounds`, which contains the body, is hidden are left
   /// out, since it can add nothing there. Points out of the domain of the frame make the body no occluder.
   /// `inside`: null, or a box that contains `bounds`: then the gates hold for what lies beyond it alone.
+  /// `refined`: null, or the parts of the map's pixels: there the body is noted in all pixels that it touches.
   std::size_t write(Chords const& body, Box const& bounds, Frame const& frame, OcclusionMap& map,
-                    Box const* inside = nullptr);
+                    RefinedMap* refined = nullptr, Box const* inside = nullptr);
 
 private:
-  /// The extremes of one end of the slices of a pixel. `far`: the largest u.
-  struct End {
-    double slope, separating, far;
-  };
   /// What a chord may be used for in one row.
   struct RowChord {
     std::size_t i, j;  ///< all lines pass below point i and above point j of the plan
@@ -61,7 +60,7 @@ private:
   std::vector<double> below_limit_, above_limit_;  // per point: lines with s up to the one pass below it, from the
                                                    // other on above
   std::vector<int> below_, above_;                 // the same in columns: [0, below) and from `above` on
-  std::vector<End> top_, bottom_;                  // per column
+  std::vector<GateEnds> ends_;                     // per column
   std::vector<std::int32_t> open_;                 // per column: not 0 where not hidden yet
   std::vector<Gate> gates_;                        // per column
   Crossed near_, far_;                             // per column

@@ -71,7 +71,7 @@ private:
   enum class Share { none, some, all };
   template <class Visit>
   void each_block(int row, int from, int to, Extent const& extent, Visit&& visit) const;
-  void insert(int row, int column, Gate gate);
+  void insert(int row, int column, Gate const& gate);
   void update_blocks(int row, int from, int to);
   void hide(int row, int from, int n, Extent const& extent, std::int32_t* hidden) const;
   void set(int row, int column, int component, Gate const& gate);

@@ -45,12 +45,14 @@ struct Options {
   /// Side of the whole map: it has resolution^2 / 2 pixels, a quarter of them for each family of directions. Sizes that
   /// are no multiple of 8 are rounded down. [Leyvand03, table 4]
   int resolution = 512;
+  /// How often each side of a pixel may be halved, where what is looked for would else be visible. 0: never.
+  int refinement = 3;
   int components = 2;  ///< umbrae kept for each pixel, at least 1
   Umbra umbra = Umbra::full;
   Bounds bounds = Bounds::exact;
   Granularity granularity = Granularity::face;
 
-  static constexpr int min_resolution = 8, max_resolution = 4096, max_components = 16;
+  static constexpr int min_resolution = 8, max_resolution = 4096, max_components = 16, max_refinement = 8;
 
   /// Throws std::invalid_argument unless the numbers are in their ranges.
   void validate() const
@@ -59,6 +61,8 @@ struct Options {
       throw std::invalid_argument("ray-space: the resolution must be from 8 to 4096");
     if (components < 1 || components > max_components)
       throw std::invalid_argument("ray-space: the number of components must be from 1 to 16");
+    if (refinement < 0 || refinement > max_refinement)
+      throw std::invalid_argument("ray-space: the refinement must be from 0 to 8");
   }
 };
 

@@ -39,6 +39,7 @@ private:
   Options options_;
   std::vector<Frame> frames_;
   std::vector<OcclusionMap> maps_;
+  std::vector<RefinedMap> refined_;  // none, or one for each map
   OccludeeTest test_;
   double floor_;  // no point of the cell and of what is looked for lies lower
   OccluderWriter writer_;

@@ -1,0 +1,80 @@
+#pragma once
+
+#include "visibility/methods/ray_space/entered_bodies.hpp"
+#include "visibility/methods/ray_space/gate_list.hpp"
+#include "visibility/methods/ray_space/occlusion_map.hpp"
+
+#include <cstdint>
+#include <deque>
+#include <span>
+#include <vector>
+
+namespace visibility::ray_space {
+
+/// Parts of the pixels of a map, made where a question needs them: binary trees of rectangles of lines. Each part has
+/// gates of its own, of the bodies that its pixel is touched by, whether or not all lines of the pixel cross them.
+class RefinedMap {
+public:
+  /// Requires: frame and map outlive this.
+  RefinedMap(Frame const& frame, OcclusionMap const& map, Options const& options);
+
+  EnteredBodies& bodies() { return bodies_; }
+
+  /// The body touches the pixel and may hide something there. Bodies come in the order in which they are entered.
+  void note(int row, int column, std::uint32_t body);
+
+  /// A part of a pixel.
+  class Part {
+  public:
+    Pixel const& pixel() const { return pixel_; }
+    std::span<Gate const> gates() const { return gates_.gates(); }
+    /// Whether no line of it meets the cell.
+    bool is_empty() const { return slice_.u_in > slice_.u_out; }
+
+  private:
+    friend class RefinedMap;
+    Pixel pixel_;
+    CellSlice slice_;
+    GateList gates_;
+    std::vector<std::uint32_t> bodies_;  // that its parts have yet to see, in order
+    std::uint32_t seen_ = 0;             // of the bodies of the part that it is a part of
+    std::int32_t parts_ = -1;            // the first of its two; the other one follows
+    std::int8_t halved_s_ = 0, halved_t_ = 0;
+  };
+
+  /// The pixel as a part, up to date with the map.
+  std::uint32_t part(int row, int column);
+  Part const& operator[](std::uint32_t part) const { return parts_[part]; }
+  /// The two halves of a part, up to date with it; the first of them, or nothing if it is divided enough. `distance`:
+  /// of what is looked for, from the middle of the cell: lines then are about as far apart there in s and in t.
+  std::optional<std::uint32_t> halves(std::uint32_t part, double distance);
+
+  std::size_t size() const { return parts_.size(); }
+
+private:
+  void divide(std::uint32_t part, double distance);
+  void update(Part& half, Part const& whole);
+
+  struct Root {
+    std::int32_t last_note = -1, part = -1;
+  };
+  struct Note {
+    std::uint32_t body;
+    std::int32_t before;
+  };
+  Root& root(int row, int column)
+  {
+    return roots_[static_cast<std::size_t>(row) * static_cast<std::size_t>(frame_->columns()) +
+                  static_cast<std::size_t>(column)];
+  }
+
+  Frame const* frame_;
+  OcclusionMap const* map_;
+  Options options_;
+  EnteredBodies bodies_;
+  std::vector<Root> roots_;
+  std::vector<Note> notes_;
+  std::deque<Part> parts_;
+};
+
+}  // namespace visibility::ray_space

@@ -1,0 +1,86 @@
+#include "visibility/methods/ray_space/refined_map.hpp"
+
+#include <algorithm>
+
+namespace visibility::ray_space {
+
+RefinedMap::RefinedMap(Frame const& frame, OcclusionMap const& map, Options const& options)
+  : frame_(&frame), map_(&map), options_(options), bodies_(frame, options)
+{
+  if (options.refinement > 0)
+    roots_.resize(static_cast<std::size_t>(frame.rows()) * static_cast<std::size_t>(frame.columns()));
+}
+
+void RefinedMap::note(int row, int column, std::uint32_t body)
+{
+  auto& at = root(row, column);
+  notes_.push_back({body, at.last_note});
+  at.last_note = static_cast<std::int32_t>(notes_.size()) - 1;
+}
+
+std::uint32_t RefinedMap::part(int row, int column)
+{
+  auto& at = root(row, column);
+  if (at.part < 0) {
+    at.part = static_cast<std::int32_t>(parts_.size());
+    parts_.emplace_back();
+    parts_.back().pixel_ = frame_->pixel(row, column);
+    parts_.back().slice_ = frame_->cell_slice(parts_.back().pixel_);
+  }
+  auto& part = parts_[static_cast<std::size_t>(at.part)];
+  auto const before = static_cast<std::ptrdiff_t>(part.bodies_.size());
+  for (; at.last_note >= 0; at.last_note = notes_[static_cast<std::size_t>(at.last_note)].before)
+    part.bodies_.push_back(notes_[static_cast<std::size_t>(at.last_note)].body);
+  std::reverse(part.bodies_.begin() + before, part.bodies_.end());
+  part.gates_ = {};
+  for (int k = 0; k < map_->components(); ++k) {
+    Gate const g = map_->gate(row, column, k);
+    if (g.beyond == std::numeric_limits<float>::infinity()) break;
+    part.gates_.keep(g);
+  }
+  return static_cast<std::uint32_t>(at.part);
+}
+
+std::optional<std::uint32_t> RefinedMap::halves(std::uint32_t whole, double distance)
+{
+  if (parts_[whole].parts_ < 0) divide(whole, distance);
+  auto const first = parts_[whole].parts_;
+  if (first < 0) return std::nullopt;
+  for (int i = 0; i < 2; ++i) update(parts_[static_cast<std::size_t>(first + i)], parts_[whole]);
+  return static_cast<std::uint32_t>(first);
+}
+
+void RefinedMap::divide(std::uint32_t index, double distance)
+{
+  auto const [s0, s1, t0, t1] = parts_[index].pixel_;
+  auto const s = parts_[index].halved_s_, t = parts_[index].halved_t_;
+  bool const may_s = s < options_.refinement, may_t = t < options_.refinement;
+  if (!may_s && !may_t) return;
+  bool const in_t = may_t && (!may_s || (t1 - t0) * distance > s1 - s0);
+  parts_[index].parts_ = static_cast<std::int32_t>(parts_.size());
+  double const middle = in_t ? 0.5 * t0 + 0.5 * t1 : 0.5 * s0 + 0.5 * s1;
+  for (int i = 0; i < 2; ++i) {
+    auto& half = parts_.emplace_back();
+    half.pixel_ = parts_[index].pixel_;
+    (in_t ? i == 0 ? half.pixel_.t1 : half.pixel_.t0 : i == 0 ? half.pixel_.s1 : half.pixel_.s0) = middle;
+    half.slice_ = frame_->cell_slice(half.pixel_);
+    half.halved_s_ = static_cast<std::int8_t>(s + !in_t);
+    half.halved_t_ = static_cast<std::int8_t>(t + in_t);
+  }
+}
+
+void RefinedMap::update(Part& half, Part const& whole)
+{
+  if (half.is_empty()) return;
+  for (auto const& g : whole.gates()) half.gates_.add(g, options_.components);
+  for (; half.seen_ < whole.bodies_.size(); ++half.seen_) {
+    auto const body = whole.bodies_[half.seen_];
+    if (!bodies_.is_touched(body, half.pixel_)) continue;
+    if (auto const gate = bodies_.gate(body, half.pixel_, half.slice_)) {
+      if (!half.gates_.add(*gate, options_.components)) continue;
+    }
+    half.bodies_.push_back(body);
+  }
+}
+
+}  // namespace visibility::ray_space
