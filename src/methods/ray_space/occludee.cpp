@@ -26,9 +26,17 @@ bool OccludeeTest::hidden(Box const& box)
   return in_every_family([&](Family const& f, int start, int& shown) {
     if (!in_reach(*f.frame, box)) return false;
     auto const local = local_box(*f.frame, box);
+    bool has_points = false;
     auto const is_hidden = [&](int row, int from, int to) {
       shown = row;
-      return f.map->first_visible(row, from, to, local->extent) == to;
+      for (int c = from; c < to; ++c) {
+        c = f.map->first_visible(row, c, to, local->extent);
+        if (c == to) return true;
+        if (f.refined == nullptr) return false;
+        if (!has_points) localize(*f.frame, box.corners()), has_points = true;
+        if (!hidden_in_pixel(f, row, c)) return false;
+      }
+      return true;
     };
     return !local || every_row(*f.frame, *local, is_hidden, start);
   });
