@@ -172,7 +172,11 @@ bool OccludeeTest::hidden_by_one_of(std::span<Gate const> gates) const
 
 bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
 {
-  if (f.refined != nullptr) return hidden_in_part(*f.refined, f.refined->part(row, column));
+  if (f.refined != nullptr) {
+    bool const all = hidden_in_part(*f.refined, f.refined->part(row, column));
+    if (all) f.refined->raise(row, column);
+    return all;
+  }
   clip(f.frame->pixel(row, column));
   GateList list;
   for (int k = 0; k < f.map->components(); ++k) list.keep(f.map->gate(row, column, k));
@@ -185,7 +189,9 @@ bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part)
   clip(map[part].pixel());
   if (extents_.empty() || hidden_by_one_of(map[part].gates())) return true;
   auto const first = map.halves(part, std::max(0.0, nearest_));
-  return first && hidden_in_part(map, *first) && hidden_in_part(map, *first + 1);
+  if (!first || !hidden_in_part(map, *first) || !hidden_in_part(map, *first + 1)) return false;
+  map.raise(part);
+  return true;
 }
 
 }  // namespace visibility::ray_space

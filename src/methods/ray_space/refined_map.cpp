@@ -4,7 +4,22 @@
 
 namespace visibility::ray_space {
 
-RefinedMap::RefinedMap(Frame const& frame, OcclusionMap const& map, Options const& options)
+namespace {
+
+/// What two gates hide both, as one gate. Each end is the worse one, its line no better than either.
+Gate common(Gate const& a, Gate const& b)
+{
+  auto const worst = [](GateEnd const& x, GateEnd const& y, auto&& of) {
+    return GateEnd{of(x.slope, y.slope), of(x.base, y.base), of(x.separating, y.separating)};
+  };
+  auto const lower = [](float x, float y) { return std::min(x, y); };
+  auto const upper = [](float x, float y) { return std::max(x, y); };
+  return {worst(a.top, b.top, lower), worst(a.bottom, b.bottom, upper), upper(a.beyond, b.beyond)};
+}
+
+}  // namespace
+
+RefinedMap::RefinedMap(Frame const& frame, OcclusionMap& map, Options const& options)
   : frame_(&frame), map_(&map), options_(options), bodies_(frame, options)
 {
   if (options.refinement > 0)
@@ -81,6 +96,26 @@ void RefinedMap::update(Part& half, Part const& whole)
     }
     half.bodies_.push_back(body);
   }
+}
+
+void RefinedMap::raise(std::uint32_t index)
+{
+  auto& whole = parts_[index];
+  if (whole.parts_ < 0) return;
+  auto const &a = parts_[static_cast<std::size_t>(whole.parts_)],
+             &b = parts_[static_cast<std::size_t>(whole.parts_) + 1];
+  if (a.is_empty() || b.is_empty()) {
+    for (auto const& g : (a.is_empty() ? b : a).gates()) whole.gates_.add(g, options_.components);
+    return;
+  }
+  for (auto const& g : a.gates())
+    for (auto const& h : b.gates()) whole.gates_.add(common(g, h), options_.components);
+}
+
+void RefinedMap::raise(int row, int column)
+{
+  for (auto const& g : parts_[static_cast<std::size_t>(root(row, column).part)].gates())
+    map_->insert(row, column, std::span(&g, 1));
 }
 
 }  // namespace visibility::ray_space

@@ -26,7 +26,7 @@ std::vector<OcclusionMap> maps_of(std::vector<Frame> const& frames, int componen
   return out;
 }
 
-std::vector<RefinedMap> refined_maps_of(std::vector<Frame> const& frames, std::vector<OcclusionMap> const& maps,
+std::vector<RefinedMap> refined_maps_of(std::vector<Frame> const& frames, std::vector<OcclusionMap>& maps,
                                         Options const& options)
 {
   std::vector<RefinedMap> out;

@@ -16,7 +16,7 @@ namespace visibility::ray_space {
 class RefinedMap {
 public:
   /// Requires: frame and map outlive this.
-  RefinedMap(Frame const& frame, OcclusionMap const& map, Options const& options);
+  RefinedMap(Frame const& frame, OcclusionMap& map, Options const& options);
 
   EnteredBodies& bodies() { return bodies_; }
 
@@ -49,6 +49,10 @@ public:
   /// of what is looked for, from the middle of the cell: lines then are about as far apart there in s and in t.
   std::optional<std::uint32_t> halves(std::uint32_t part, double distance);
 
+  /// Gives a divided part the gates that its halves have in common, and a pixel those of its part.
+  void raise(std::uint32_t part);
+  void raise(int row, int column);
+
   std::size_t size() const { return parts_.size(); }
 
 private:
@@ -69,7 +73,7 @@ private:
   }
 
   Frame const* frame_;
-  OcclusionMap const* map_;
+  OcclusionMap* map_;
   Options options_;
   EnteredBodies bodies_;
   std::vector<Root> roots_;
