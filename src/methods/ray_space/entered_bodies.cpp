@@ -12,90 +12,123 @@ std::uint32_t EnteredBodies::add(Chords const& body, std::span<LocalPoint const>
                                  LocalBox const& box, float beyond)
 {
   auto const size = [](auto const& list) { return static_cast<std::uint32_t>(list.size()); };
-  bodies_.push_back(
-    {size(points_), size(points), size(chords_), size(body.edges), size(body.others), body.upright, beyond, box});
+  bodies_.push_back({size(points_), size(points), size(chords_), size(body.edges), size(body.others), body.upright,
+                     std::ranges::find(on_ground, true) != on_ground.end(), beyond, box});
   for (std::size_t i = 0; i < points.size(); ++i) points_.push_back({points[i], margins[i], on_ground[i]});
   for (auto const* const chords : {&body.edges, &body.others})
     chords_.insert(chords_.end(), chords->begin(), chords->end());
   return size(bodies_) - 1;
 }
 
-bool EnteredBodies::is_touched(std::uint32_t body, Pixel const& pixel) const
+EnteredBodies::Passing EnteredBodies::passing(std::uint32_t body, Pixel const& pixel) const
 {
   auto const& b = bodies_[body];
+  Passing out{0, 0, false};
   bool some_below = false, some_above = false;
   for (std::uint32_t i = 0, n = b.upright ? b.points / 2 : b.points; i < n; ++i) {
     auto const& [p, margin, on_ground] = points_[b.first_point + i];
-    double const x = pixel.t0 * p.u, y = pixel.t1 * p.u;
-    some_below |= pixel.s0 <= p.v - std::min(x, y) + margin;
-    some_above |= pixel.s1 >= p.v - std::max(x, y) - margin;
+    double const x = pixel.t0 * p.u, y = pixel.t1 * p.u, least = p.v - std::max(x, y) - margin,
+                 most = p.v - std::min(x, y) + margin;
+    some_below |= pixel.s0 <= most;
+    some_above |= pixel.s1 >= least;
+    out.below |= std::uint64_t{pixel.s1 <= least} << i;
+    out.above |= std::uint64_t{pixel.s0 >= most} << i;
   }
-  return some_below && some_above;
+  out.some_meet = some_below && some_above;
+  return out;
 }
 
-std::optional<Gate> EnteredBodies::gate(std::uint32_t body, Pixel const& pixel, CellSlice const& k)
+bool EnteredBodies::adds_nothing(std::uint32_t body, Gate const& gate, CellSlice const& k) const
 {
   auto const& b = bodies_[body];
-  std::size_t const n = b.upright ? b.points / 2 : b.points;
-  below_.assign(n, false);
-  above_.assign(n, false);
-  bool any_below = false, any_above = false;
-  for (std::size_t i = 0; i < n; ++i) {
-    auto const& [p, margin, on_ground] = points_[b.first_point + i];
-    double const x = pixel.t0 * p.u, y = pixel.t1 * p.u;
-    any_below |= below_[i] = pixel.s1 <= p.v - std::max(x, y) - margin;
-    any_above |= above_[i] = pixel.s0 >= p.v - std::min(x, y) + margin;
-  }
-  if (!any_below || !any_above) return std::nullopt;
-  std::span<Chord const> const chords = std::span(chords_).subspan(b.first_chord, b.edges + b.others);
-  GateEnds ends;
-  add_chords(b, chords.first(b.edges), pixel, k, ends);
-  if (ends.lacks_one()) add_chords(b, chords.subspan(b.edges), pixel, k, ends);
-  if (ends.lacks_one()) return std::nullopt;
-  double const back = frame_->half_length();
-  return ends.gate(k, back, std::max(b.beyond, ends.distance(back)));
+  if (!(b.box.u0 > k.u_out)) return false;
+  double const rise = double(b.box.extent.high) - k.height, low = b.box.extent.low;
+  double const top = rise >= 0 ? rise / (b.box.u0 - k.u_in) : rise / (b.box.u1 - k.u_out);
+  double const bottom = b.on_ground ? -GateEnds::infinity : low / (b.box.u1 - (low >= 0 ? k.u_out : k.u_in));
+  return reaches(gate, top, bottom, std::max(b.beyond, b.box.extent.near));
 }
 
-void EnteredBodies::add_chords(Body const& body, std::span<Chord const> chords, Pixel const& pixel, CellSlice const& k,
-                               GateEnds& ends) const
+std::optional<Gate> EnteredBodies::gate(std::uint32_t body, Passing const& passing, Pixel const& pixel,
+                                        CellSlice const& k) const
 {
-  double const scale = frame_->half_length() + frame_->height();
+  if (!passing.all_meet()) return std::nullopt;
+  auto const& b = bodies_[body];
+  auto const best = b.upright ? upright_ends(b, passing, pixel, k) : ends(b, passing, pixel, k);
+  if (best.lacks_one()) return std::nullopt;
+  double const back = frame_->half_length();
+  return best.gate(k, back, std::max(b.beyond, best.distance(back)));
+}
+
+/// Where the lines at the corners of the pixel cross the chord.
+std::array<SlicePoint, 4> EnteredBodies::corners(BodyPoint const& p, BodyPoint const& q, Pixel const& pixel) const
+{
+  double const margins = p.margin + q.margin, scale = frame_->half_length() + frame_->height();
+  if (options_.bounds == Bounds::exact) {
+    Crossing const first(p.at, q.at, margins, scale, pixel.t0), second(p.at, q.at, margins, scale, pixel.t1);
+    return {first(pixel.s0), first(pixel.s1), second(pixel.s0), second(pixel.s1)};
+  }
+  LinearCrossing const crossing(*frame_, p.at, q.at, margins);
+  return {crossing(pixel.s0, pixel.t0), crossing(pixel.s1, pixel.t0), crossing(pixel.s0, pixel.t1),
+          crossing(pixel.s1, pixel.t1)};
+}
+
+/// Calls take(chord, its points, corners, bounds of them) for chords that all lines of the pixel cross in front of the
+/// cell.
+template <class Take>
+void EnteredBodies::each_chord(Body const& body, std::span<Chord const> chords, Passing const& passing,
+                               Pixel const& pixel, CellSlice const& k, Take&& take) const
+{
   auto const* const points = &points_[body.first_point];
-  for (auto const& chord : chords)
-    for (auto const& [i, j] : {std::pair(chord.from, chord.to), std::pair(chord.to, chord.from)}) {
-      if (!below_[i] || !above_[j]) continue;
-      auto const &p = points[i], &q = points[j];
-      double const margins = p.margin + q.margin;
-      std::array<SlicePoint, 4> corner;
-      if (options_.bounds == Bounds::exact) {
-        Crossing const first(p.at, q.at, margins, scale, pixel.t0), second(p.at, q.at, margins, scale, pixel.t1);
-        corner = {first(pixel.s0), first(pixel.s1), second(pixel.s0), second(pixel.s1)};
-      } else {
-        LinearCrossing const crossing(*frame_, p.at, q.at, margins);
-        corner = {crossing(pixel.s0, pixel.t0), crossing(pixel.s1, pixel.t0), crossing(pixel.s0, pixel.t1),
-                  crossing(pixel.s1, pixel.t1)};
-      }
-      SlicePoint all = corner[0];
-      for (auto const& x : corner) {
-        all.u_low = std::min(all.u_low, x.u_low), all.u_high = std::max(all.u_high, x.u_high);
-        all.z_low = std::min(all.z_low, x.z_low), all.z_high = std::max(all.z_high, x.z_high);
-      }
-      if (!(all.u_low - k.u_out > 0x1p-30 * frame_->half_length())) continue;
-      // At constant height the tangents are extreme where the distance is.
-      std::span<SlicePoint const> lower(corner), upper(corner);
-      SlicePoint above = all;
-      if (p.at.z == q.at.z) lower = upper = std::span(&all, 1);
-      if (body.upright) {
-        double const z = points[body.points - 1].at.z, slack = 0x1p-47 * (std::fabs(z) + scale);
-        above.z_low = z - slack, above.z_high = z + slack;
-        upper = std::span(&above, 1);
-      }
-      if (chord.top) ends.take_top(k, upper, all.u_high);
-      if (p.on_ground && q.on_ground)
-        ends.take_ground(all.u_high);
-      else if (chord.bottom && options_.umbra == Umbra::full)
-        ends.take_bottom(k, lower, all.u_high);
+  for (auto const& chord : chords) {
+    bool const forward = (passing.below >> chord.from & passing.above >> chord.to & 1) != 0;
+    if (!forward && (passing.above >> chord.from & passing.below >> chord.to & 1) == 0) continue;
+    auto const &p = points[forward ? chord.from : chord.to], &q = points[forward ? chord.to : chord.from];
+    auto const corner = corners(p, q, pixel);
+    SlicePoint all = corner[0];
+    for (auto const& x : corner) {
+      all.u_low = std::min(all.u_low, x.u_low), all.u_high = std::max(all.u_high, x.u_high);
+      all.z_low = std::min(all.z_low, x.z_low), all.z_high = std::max(all.z_high, x.z_high);
     }
+    if (all.u_low - k.u_out > 0x1p-30 * frame_->half_length()) take(chord, p, q, corner, all);
+  }
+}
+
+GateEnds EnteredBodies::ends(Body const& body, Passing const& passing, Pixel const& pixel, CellSlice const& k) const
+{
+  GateEnds out;
+  auto const take = [&](Chord const& chord, BodyPoint const& p, BodyPoint const& q,
+                        std::array<SlicePoint, 4> const& corner, SlicePoint const& all) {
+    // At constant height the tangents are extreme where the distance is.
+    auto const extremes = p.at.z == q.at.z ? std::span(&all, 1) : std::span<SlicePoint const>(corner);
+    if (chord.top) out.take_top(k, extremes, all.u_high);
+    if (p.on_ground && q.on_ground)
+      out.take_ground(all.u_high);
+    else if (chord.bottom && options_.umbra == Umbra::full)
+      out.take_bottom(k, extremes, all.u_high);
+  };
+  auto const chords = std::span(chords_).subspan(body.first_chord, body.edges + body.others);
+  each_chord(body, chords.first(body.edges), passing, pixel, k, take);
+  if (out.lacks_one()) each_chord(body, chords.subspan(body.edges), passing, pixel, k, take);
+  return out;
+}
+
+/// At a constant height every tangent is monotone in the distance: the nearest or the farthest chord is best.
+GateEnds EnteredBodies::upright_ends(Body const& body, Passing const& passing, Pixel const& pixel,
+                                     CellSlice const& k) const
+{
+  SlicePoint near{0, HUGE_VAL, 0, 0}, far{-HUGE_VAL, 0, 0, 0};
+  auto const take = [&](Chord const&, BodyPoint const&, BodyPoint const&, std::array<SlicePoint, 4> const&,
+                        SlicePoint const& all) {
+    if (all.u_high < near.u_high) near = all;
+    if (all.u_low > far.u_low) far = all;
+  };
+  auto const chords = std::span(chords_).subspan(body.first_chord, body.edges + body.others);
+  each_chord(body, chords.first(body.edges), passing, pixel, k, take);
+  if (near.u_high == HUGE_VAL) each_chord(body, chords.subspan(body.edges), passing, pixel, k, take);
+  bool const open_below = points_[body.first_point].on_ground;
+  if (near.u_high == HUGE_VAL || (!open_below && options_.umbra == Umbra::half)) return {};
+  double const bottom = points_[body.first_point].at.z, top = points_[body.first_point + body.points - 1].at.z;
+  return GateEnds::of_upright(k, near, far, bottom, top, open_below, frame_->half_length() + frame_->height());
 }
 
 }  // namespace visibility::ray_space

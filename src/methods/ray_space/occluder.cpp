@@ -152,22 +152,16 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
   if (std::ranges::any_of(std::views::iota(from, to), lacks)) cross_upright_row(body.others, frame, row, from, to);
   double const back = frame.half_length(), scale = back + frame.height();
   double const bottom = points_.front().z, top = points_.back().z;
-  double const slack = 0x1p-47 * (std::fabs(bottom) + std::fabs(top) + scale);
   bool const open_below = ground_.front();
   if (!open_below && options_.umbra == Umbra::half) return 0;
-  Crossed const &for_top = top - slack >= frame.height() ? near_ : far_,
-                &for_bottom = open_below || bottom + slack < 0 ? near_ : far_;
   std::size_t written = 0;
   for (int column = from; column < to; ++column) {
     auto const c = static_cast<std::size_t>(column);
     gates_[c].beyond = nowhere;
     if (open_[c] == 0 || near_.high[c] == infinity) continue;
     auto const& k = *frame.cell_slice(row, column);
-    SlicePoint const upper{for_top.low[c], for_top.high[c], top - slack, top + slack};
-    SlicePoint const lower{for_bottom.low[c], for_bottom.high[c], bottom - slack, bottom + slack};
-    GateEnds const ends{
-      {least_upper_tangent(k, upper), least_lower_tangent(k, upper), upper.u_high},
-      {open_below ? -infinity : greatest_lower_tangent(k, lower), greatest_upper_tangent(k, lower), lower.u_high}};
+    auto const at = [&](Crossed const& x) { return SlicePoint{x.low[c], x.high[c], 0, 0}; };
+    auto const ends = GateEnds::of_upright(k, at(near_), at(far_), bottom, top, open_below, scale);
     float const beyond = std::max(beyond_, ends.distance(back));
     if (map.reaches(row, column, ends.top.slope, ends.bottom.slope, beyond)) continue;
     gates_[c] = ends.gate(k, back, beyond);

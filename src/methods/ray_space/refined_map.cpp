@@ -90,10 +90,12 @@ void RefinedMap::update(Part& half, Part const& whole)
   for (auto const& g : whole.gates()) half.gates_.add(g, options_.components);
   for (; half.seen_ < whole.bodies_.size(); ++half.seen_) {
     auto const body = whole.bodies_[half.seen_];
-    if (!bodies_.is_touched(body, half.pixel_)) continue;
-    if (auto const gate = bodies_.gate(body, half.pixel_, half.slice_)) {
-      if (!half.gates_.add(*gate, options_.components)) continue;
-    }
+    auto const passing = bodies_.passing(body, half.pixel_);
+    if (!passing.some_meet) continue;
+    auto const gates = half.gates();
+    if (!gates.empty() && bodies_.adds_nothing(body, gates.front(), half.slice_)) continue;
+    auto const gate = bodies_.gate(body, passing, half.pixel_, half.slice_);
+    if (gate && !half.gates_.add(*gate, options_.components)) continue;
     half.bodies_.push_back(body);
   }
 }

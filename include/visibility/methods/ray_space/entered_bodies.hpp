@@ -3,8 +3,10 @@
 #include "visibility/methods/ray_space/chords.hpp"
 #include "visibility/methods/ray_space/footprint.hpp"
 #include "visibility/methods/ray_space/gate_ends.hpp"
+#include "visibility/methods/ray_space/gate_list.hpp"
 #include "visibility/methods/ray_space/options.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,8 +26,8 @@ class EnteredBodies {
 public:
   struct Body {
     std::uint32_t first_point, points, first_chord, edges, others;
-    bool upright;
-    float beyond;  ///< of all its gates, at least
+    bool upright, on_ground;  ///< as Chords::upright; whether any point is on the ground
+    float beyond;             ///< of all its gates, at least
     LocalBox box;
   };
 
@@ -37,22 +39,33 @@ public:
 
   Body const& operator[](std::uint32_t body) const { return bodies_[body]; }
 
-  /// Whether some line of the pixel may meet the body.
-  bool is_touched(std::uint32_t body, Pixel const& pixel) const;
+  /// How the lines of a pixel pass a body: of each of its points in plan, whether all of them pass below, or above.
+  struct Passing {
+    std::uint64_t below, above;
+    bool some_meet;  ///< unless no line meets the body
+    bool all_meet() const { return below != 0 && above != 0; }
+  };
+  Passing passing(std::uint32_t body, Pixel const& pixel) const;
+
+  /// Whether the body, wherever in its box it is, can add nothing to the gate. Rounded: a choice. `k`: of the pixel.
+  bool adds_nothing(std::uint32_t body, Gate const& gate, CellSlice const& k) const;
 
   /// The gate of the body for all lines of the pixel, if all of them cross it in front of the cell. `k`: the pixel's.
-  std::optional<Gate> gate(std::uint32_t body, Pixel const& pixel, CellSlice const& k);
+  std::optional<Gate> gate(std::uint32_t body, Passing const& passing, Pixel const& pixel, CellSlice const& k) const;
 
 private:
-  void add_chords(Body const& body, std::span<Chord const> chords, Pixel const& pixel, CellSlice const& k,
-                  GateEnds& ends) const;
+  std::array<SlicePoint, 4> corners(BodyPoint const& p, BodyPoint const& q, Pixel const& pixel) const;
+  GateEnds ends(Body const& body, Passing const& passing, Pixel const& pixel, CellSlice const& k) const;
+  GateEnds upright_ends(Body const& body, Passing const& passing, Pixel const& pixel, CellSlice const& k) const;
+  template <class Take>
+  void each_chord(Body const& body, std::span<Chord const> chords, Passing const& passing, Pixel const& pixel,
+                  CellSlice const& k, Take&& take) const;
 
   Frame const* frame_;
   Options options_;
   std::vector<Body> bodies_;
   std::vector<BodyPoint> points_;
   std::vector<Chord> chords_;
-  std::vector<bool> below_, above_;  // per point of a body: whether all lines pass on that side of it
 };
 
 }  // namespace visibility::ray_space

@@ -20,6 +20,22 @@ struct GateEnds {
 
   End top{-infinity, -infinity, 0}, bottom{infinity, infinity, 0};
 
+  /// Those of an upright body from `bottom` to `top`, of which all lines cross chords in plan, the nearest and the
+  /// farthest of them within these u. At a constant height every tangent is monotone in the distance, so one of the two
+  /// is best. `scale`: of the frame, for rounding.
+  static GateEnds of_upright(CellSlice const& k, SlicePoint const& near, SlicePoint const& far, double bottom,
+                             double top, bool open_below, double scale)
+  {
+    double const slack = 0x1p-47 * (std::fabs(bottom) + std::fabs(top) + scale);
+    auto const &for_top = top - slack >= k.height ? near : far,
+               &for_bottom = open_below || bottom + slack < 0 ? near : far;
+    SlicePoint const upper{for_top.u_low, for_top.u_high, top - slack, top + slack};
+    SlicePoint const lower{for_bottom.u_low, for_bottom.u_high, bottom - slack, bottom + slack};
+    return {
+      {least_upper_tangent(k, upper), least_lower_tangent(k, upper), upper.u_high},
+      {open_below ? -infinity : greatest_lower_tangent(k, lower), greatest_upper_tangent(k, lower), lower.u_high}};
+  }
+
   bool lacks_one() const { return top.slope == -infinity || bottom.slope == infinity; }
 
   /// Crossings at the corners of the pixel, or one that bounds them all if the chord is level. `far`: their largest u.
