@@ -38,14 +38,16 @@ EnteredBodies::Passing EnteredBodies::passing(std::uint32_t body, Pixel const& p
   return out;
 }
 
-bool EnteredBodies::adds_nothing(std::uint32_t body, Gate const& gate, CellSlice const& k) const
+Reach EnteredBodies::reach(std::uint32_t body, CellSlice const& k) const
 {
   auto const& b = bodies_[body];
-  if (!(b.box.u0 > k.u_out)) return false;
+  if (!(b.box.u0 > k.u_out)) return {GateEnds::infinity, -GateEnds::infinity, 0};
   double const rise = double(b.box.extent.high) - k.height, low = b.box.extent.low;
-  double const top = rise >= 0 ? rise / (b.box.u0 - k.u_in) : rise / (b.box.u1 - k.u_out);
-  double const bottom = b.on_ground ? -GateEnds::infinity : low / (b.box.u1 - (low >= 0 ? k.u_out : k.u_in));
-  return reaches(gate, top, bottom, std::max(b.beyond, b.box.extent.near));
+  return {rise >= 0 ? rise / (b.box.u0 - k.u_in) : rise / (b.box.u1 - k.u_out),
+          b.on_ground ? -GateEnds::infinity
+          : low >= 0  ? low / (b.box.u1 - k.u_out)
+                      : low / (b.box.u0 - k.u_in),
+          std::max(b.beyond, b.box.extent.near)};
 }
 
 std::optional<Gate> EnteredBodies::gate(std::uint32_t body, Passing const& passing, Pixel const& pixel,

@@ -7,17 +7,17 @@ namespace visibility::ray_space {
 namespace {
 
 /// How much of the view a gate blocks, for the choice of what to keep.
-float size(Gate const& g)
+float extent(Gate const& g)
 {
   constexpr float steepest = 4;
   return std::clamp(g.top.slope, -steepest, steepest) - std::clamp(g.bottom.slope, -steepest, steepest);
 }
 
-bool is_smaller(Gate const& a, Gate const& b) { return size(a) < size(b); }
+bool is_smaller(Gate const& a, Gate const& b) { return extent(a) < extent(b); }
 
 }  // namespace
 
-bool GateList::add(Gate gate, int most)
+bool GateList::add(Gate gate)
 {
   for (auto const& g : gates())
     if (dominates(g, gate)) return false;
@@ -28,17 +28,16 @@ bool GateList::add(Gate gate, int most)
       if (auto const both = fused(g, gate)) gate = *both, changed = true;
     if (!changed) break;
   }
-  auto* const begin = gates_.data();
-  size_ =
-    static_cast<int>(std::remove_if(begin, begin + size_, [&](Gate const& g) { return dominates(gate, g); }) - begin);
-  if (size_ < most) {
-    begin[size_++] = gate;
+  size_ = static_cast<int>(std::remove_if(gates_, gates_ + size_, [&](Gate const& g) { return dominates(gate, g); }) -
+                           gates_);
+  if (size_ < most_) {
+    gates_[size_++] = gate;
   } else {
-    auto* const least = std::min_element(begin, begin + size_, is_smaller);
-    if (size(*least) > size(gate)) return false;
+    auto* const least = std::min_element(gates_, gates_ + size_, is_smaller);
+    if (extent(*least) > extent(gate)) return false;
     *least = gate;
   }
-  std::swap(*begin, *std::max_element(begin, begin + size_, is_smaller));
+  std::swap(*gates_, *std::max_element(gates_, gates_ + size_, is_smaller));
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include "visibility/methods/ray_space/footprint.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace visibility::ray_space {
 
@@ -178,7 +179,8 @@ bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
     return all;
   }
   clip(f.frame->pixel(row, column));
-  GateList list;
+  std::array<Gate, Options::max_components> room;
+  GateList list(room.data(), 0, f.map->components());
   for (int k = 0; k < f.map->components(); ++k) list.keep(f.map->gate(row, column, k));
   return hidden_by_one_of(list.gates());
 }
@@ -187,7 +189,9 @@ bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part)
 {
   if (map[part].is_empty()) return true;
   clip(map[part].pixel());
-  if (extents_.empty() || hidden_by_one_of(map[part].gates())) return true;
+  if (extents_.empty() || hidden_by_one_of(map.gates(part))) return true;
+  auto const is_visible = [&](Extent const& e) { return map.is_surely_visible(part, e); };
+  if (std::ranges::any_of(extents_, is_visible)) return false;
   auto const first = map.halves(part, std::max(0.0, nearest_));
   if (!first || !hidden_in_part(map, *first) || !hidden_in_part(map, *first + 1)) return false;
   map.raise(part);

@@ -1,6 +1,7 @@
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 
 #include "visibility/methods/ray_space/gate_list.hpp"
+#include "visibility/methods/ray_space/options.hpp"
 
 #include <array>
 
@@ -95,13 +96,14 @@ void OcclusionMap::set(int row, int c, int k, Gate const& g)
 
 void OcclusionMap::insert(int row, int c, Gate const& gate)
 {
-  GateList list;
+  std::array<Gate, Options::max_components> room;
+  GateList list(room.data(), 0, components_);
   for (int k = 0; k < components_; ++k) {
     Gate const g = this->gate(row, c, k);
     if (g.beyond == infinity) break;
     list.keep(g);
   }
-  if (!list.add(gate, components_)) return;
+  if (!list.add(gate)) return;
   auto const kept = list.gates();
   for (int k = 0; k < components_; ++k)
     set(row, c, k, k < static_cast<int>(kept.size()) ? kept[static_cast<std::size_t>(k)] : empty);

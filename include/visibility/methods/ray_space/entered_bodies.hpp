@@ -21,6 +21,16 @@ struct BodyPoint {
   bool on_ground;  ///< no sight line passes below
 };
 
+/// Slopes of supporting lines: the greatest of tops and the least of bottoms; and from where on gates hold.
+struct Reach {
+  double top = -GateEnds::infinity, bottom = GateEnds::infinity, from = GateEnds::infinity;
+
+  void extend(Reach const& r)
+  {
+    top = std::max(top, r.top), bottom = std::min(bottom, r.bottom), from = std::min(from, r.from);
+  }
+};
+
 /// Bodies that were entered into the map of one frame, kept so that gates for parts of its pixels can be computed.
 class EnteredBodies {
 public:
@@ -47,8 +57,8 @@ public:
   };
   Passing passing(std::uint32_t body, Pixel const& pixel) const;
 
-  /// Whether the body, wherever in its box it is, can add nothing to the gate. Rounded: a choice. `k`: of the pixel.
-  bool adds_nothing(std::uint32_t body, Gate const& gate, CellSlice const& k) const;
+  /// How far at best the body reaches, wherever in its box it is. Rounded: for choices. `k`: of the pixel.
+  Reach reach(std::uint32_t body, CellSlice const& k) const;
 
   /// The gate of the body for all lines of the pixel, if all of them cross it in front of the cell. `k`: the pixel's.
   std::optional<Gate> gate(std::uint32_t body, Passing const& passing, Pixel const& pixel, CellSlice const& k) const;

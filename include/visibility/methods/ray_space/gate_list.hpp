@@ -1,28 +1,30 @@
 #pragma once
 
-#include "visibility/methods/ray_space/options.hpp"
 #include "visibility/methods/ray_space/vertical_slice.hpp"
 
-#include <array>
 #include <span>
 
 namespace visibility::ray_space {
 
-/// The gates of one pixel: up to Options::max_components, the largest first.
+/// The gates of one pixel, the largest first, in memory that somebody else keeps.
 class GateList {
 public:
-  std::span<Gate const> gates() const { return {gates_.data(), static_cast<std::size_t>(size_)}; }
+  /// `size` of the gates are there already; there is room for `most`.
+  GateList(Gate* gates, int size, int most) : gates_(gates), size_(size), most_(most) {}
+
+  std::span<Gate const> gates() const { return {gates_, static_cast<std::size_t>(size_)}; }
+  int size() const { return size_; }
 
   /// Takes a gate that was in a list before, after those it was with. Requires: there is room.
-  void keep(Gate const& gate) { gates_[static_cast<std::size_t>(size_++)] = gate; }
+  void keep(Gate const& gate) { gates_[size_++] = gate; }
 
-  /// Fuses the gate with those that are there where no gap is left, and drops what it then dominates; of more than
-  /// `most` gates the smallest goes. Returns whether anything has changed. [Leyvand03, section 3.2]
-  bool add(Gate gate, int most);
+  /// Fuses the gate with those that are there where no gap is left, and drops what it then dominates; of too many gates
+  /// the smallest goes. Returns whether anything has changed. [Leyvand03, section 3.2]
+  bool add(Gate gate);
 
 private:
-  std::array<Gate, Options::max_components> gates_;
-  int size_ = 0;
+  Gate* gates_;
+  int size_, most_;
 };
 
 /// Whether the gate reaches at least as high and as low as these slopes of supporting lines (-infinity: an open bottom)

@@ -5,7 +5,7 @@
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 
 #include <cstdint>
-#include <deque>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +27,7 @@ public:
   class Part {
   public:
     Pixel const& pixel() const { return pixel_; }
-    std::span<Gate const> gates() const { return gates_.gates(); }
+    CellSlice const& cell_slice() const { return slice_; }
     /// Whether no line of it meets the cell.
     bool is_empty() const { return slice_.u_in > slice_.u_out; }
 
@@ -35,16 +35,24 @@ public:
     friend class RefinedMap;
     Pixel pixel_;
     CellSlice slice_;
-    GateList gates_;
     std::vector<std::uint32_t> bodies_;  // that its parts have yet to see, in order
+    Reach reach_;                        // of the bodies
     std::uint32_t seen_ = 0;             // of the bodies of the part that it is a part of
     std::int32_t parts_ = -1;            // the first of its two; the other one follows
-    std::int8_t halved_s_ = 0, halved_t_ = 0;
+    std::int8_t gates_ = 0, halved_s_ = 0, halved_t_ = 0;
   };
 
   /// The pixel as a part, up to date with the map.
   std::uint32_t part(int row, int column);
   Part const& operator[](std::uint32_t part) const { return parts_[part]; }
+  std::span<Gate const> gates(std::uint32_t part) const
+  {
+    return std::span(gates_).subspan(first_gate(part), static_cast<std::size_t>(parts_[part].gates_));
+  }
+  /// Whether what its bodies can do at best leaves the extent visible, in whatever parts: then there is no need to look
+  /// at them. Rounded: a choice.
+  bool is_surely_visible(std::uint32_t part, Extent const& extent) const;
+
   /// The two halves of a part, up to date with it; the first of them, or nothing if it is divided enough. `distance`:
   /// of what is looked for, from the middle of the cell: lines then are about as far apart there in s and in t.
   std::optional<std::uint32_t> halves(std::uint32_t part, double distance);
@@ -56,8 +64,11 @@ public:
   std::size_t size() const { return parts_.size(); }
 
 private:
+  std::uint32_t make_part(Pixel const& pixel, int halved_s, int halved_t);
   void divide(std::uint32_t part, double distance);
-  void update(Part& half, Part const& whole);
+  void update(std::uint32_t half, std::uint32_t whole);
+  std::size_t first_gate(std::uint32_t part) const { return part * static_cast<std::size_t>(options_.components); }
+  GateList list(std::uint32_t part) { return {&gates_[first_gate(part)], parts_[part].gates_, options_.components}; }
 
   struct Root {
     std::int32_t last_note = -1, part = -1;
@@ -78,7 +89,8 @@ private:
   EnteredBodies bodies_;
   std::vector<Root> roots_;
   std::vector<Note> notes_;
-  std::deque<Part> parts_;
+  std::vector<Part> parts_;
+  std::vector<Gate> gates_;  // room for `components` of each part
 };
 
 }  // namespace visibility::ray_space
