@@ -185,15 +185,18 @@ bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
   return hidden_by_one_of(list.gates());
 }
 
-bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part)
+/// `whole`: what the part is a half of.
+bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part, std::optional<std::uint32_t> whole)
 {
   if (map[part].is_empty()) return true;
   clip(map[part].pixel());
-  if (extents_.empty() || hidden_by_one_of(map.gates(part))) return true;
+  if (extents_.empty()) return true;
+  if (whole) map.update(part, *whole);
+  if (hidden_by_one_of(map.gates(part))) return true;
   auto const is_visible = [&](Extent const& e) { return map.is_surely_visible(part, e); };
   if (std::ranges::any_of(extents_, is_visible)) return false;
   auto const first = map.halves(part, std::max(0.0, nearest_));
-  if (!first || !hidden_in_part(map, *first) || !hidden_in_part(map, *first + 1)) return false;
+  if (!first || !hidden_in_part(map, *first, part) || !hidden_in_part(map, *first + 1, part)) return false;
   map.raise(part);
   return true;
 }

@@ -87,9 +87,7 @@ std::optional<std::uint32_t> RefinedMap::halves(std::uint32_t whole, double dist
 {
   if (parts_[whole].parts_ < 0) divide(whole, distance);
   if (parts_[whole].parts_ < 0) return std::nullopt;
-  auto const first = static_cast<std::uint32_t>(parts_[whole].parts_);
-  for (auto const half : {first, first + 1}) update(half, whole);
-  return first;
+  return static_cast<std::uint32_t>(parts_[whole].parts_);
 }
 
 void RefinedMap::divide(std::uint32_t index, double distance)

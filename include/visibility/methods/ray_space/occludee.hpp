@@ -2,6 +2,7 @@
 
 #include "visibility/methods/ray_space/refined_map.hpp"
 
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -31,7 +32,7 @@ public:
 private:
   void localize(Frame const& frame, std::span<Point3d const> points);
   bool hidden_in_pixel(Family const& family, int row, int column);
-  bool hidden_in_part(RefinedMap& map, std::uint32_t part);
+  bool hidden_in_part(RefinedMap& map, std::uint32_t part, std::optional<std::uint32_t> whole = {});
   bool hidden_by_one_of(std::span<Gate const> gates) const;
   void clip(Pixel const& pixel);
   void keep_plan_of_upright();

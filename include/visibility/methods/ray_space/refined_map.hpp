@@ -53,9 +53,12 @@ public:
   /// at them. Rounded: a choice.
   bool is_surely_visible(std::uint32_t part, Extent const& extent) const;
 
-  /// The two halves of a part, up to date with it; the first of them, or nothing if it is divided enough. `distance`:
-  /// of what is looked for, from the middle of the cell: lines then are about as far apart there in s and in t.
+  /// The first of the two halves of a part, the other one follows; or nothing if it is divided enough. They are to be
+  /// updated before their gates are asked for. `distance`: of what is looked for, from the middle of the cell: lines
+  /// then are about as far apart there in s and in t.
   std::optional<std::uint32_t> halves(std::uint32_t part, double distance);
+  /// Brings one up to date with what it is a half of, which is.
+  void update(std::uint32_t half, std::uint32_t whole);
 
   /// Gives a divided part the gates that its halves have in common, and a pixel those of its part.
   void raise(std::uint32_t part);
@@ -66,7 +69,6 @@ public:
 private:
   std::uint32_t make_part(Pixel const& pixel, int halved_s, int halved_t);
   void divide(std::uint32_t part, double distance);
-  void update(std::uint32_t half, std::uint32_t whole);
   std::size_t first_gate(std::uint32_t part) const { return part * static_cast<std::size_t>(options_.components); }
   GateList list(std::uint32_t part) { return {&gates_[first_gate(part)], parts_[part].gates_, options_.components}; }
 
