@@ -22,18 +22,23 @@ bool OccludeeTest::in_every_family(AllHidden&& all_hidden)
   return true;
 }
 
-bool OccludeeTest::hidden(Box const& box)
+bool OccludeeTest::hidden(Box const& box, Pixels pixels)
 {
   return in_every_family([&](Family const& f, int start, int& shown) {
     if (!in_reach(*f.frame, box)) return false;
     auto const local = local_box(*f.frame, box);
+    bool const asks_parts = f.refined != nullptr && pixels == Pixels::refined;
     bool has_points = false;
+    if (local && asks_parts && is_last_shown(f)) {
+      localize(*f.frame, box.corners()), has_points = true;
+      if (shows_where_the_last_did(f)) return false;
+    }
     auto const is_hidden = [&](int row, int from, int to) {
       shown = row;
       for (int c = from; c < to; ++c) {
         c = f.map->first_visible(row, c, to, local->extent);
         if (c == to) return true;
-        if (f.refined == nullptr) return false;
+        if (!asks_parts) return false;
         if (!has_points) localize(*f.frame, box.corners()), has_points = true;
         if (!hidden_in_pixel(f, row, c)) return false;
       }
@@ -50,6 +55,7 @@ bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
     auto const local = local_box(*f.frame, bounds);
     if (!local) return true;
     localize(*f.frame, points);
+    if (is_last_shown(f) && shows_where_the_last_did(f)) return false;
     auto const is_hidden = [&](int row, int from, int to) {
       shown = row;
       double const t0 = f.frame->t(row), t1 = f.frame->t(row + 1);
@@ -185,6 +191,18 @@ bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
   return hidden_by_one_of(list.gates());
 }
 
+/// Whether what was not hidden last was so in a part of this map, and no body was entered since.
+bool OccludeeTest::is_last_shown(Family const& f) const
+{
+  return f.refined != nullptr && last_map_ == f.refined && last_notes_ == f.refined->notes();
+}
+
+bool OccludeeTest::shows_where_the_last_did(Family const& f)
+{
+  clip((*f.refined)[last_part_].pixel());
+  return !extents_.empty() && !hidden_by_one_of(f.refined->gates(last_part_));
+}
+
 /// `whole`: what the part is a half of.
 bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part, std::optional<std::uint32_t> whole)
 {
@@ -196,7 +214,13 @@ bool OccludeeTest::hidden_in_part(RefinedMap& map, std::uint32_t part, std::opti
   auto const is_visible = [&](Extent const& e) { return map.is_surely_visible(part, e); };
   if (std::ranges::any_of(extents_, is_visible)) return false;
   auto const first = map.halves(part, std::max(0.0, nearest_));
-  if (!first || !hidden_in_part(map, *first, part) || !hidden_in_part(map, *first + 1, part)) return false;
+  if (!first) {
+    last_map_ = &map;
+    last_part_ = part;
+    last_notes_ = map.notes();
+    return false;
+  }
+  if (!hidden_in_part(map, *first, part) || !hidden_in_part(map, *first + 1, part)) return false;
   map.raise(part);
   return true;
 }

@@ -172,7 +172,7 @@ bool Search::enter_occluder(std::uint32_t object, std::uint32_t i)
   bool const blocks = occluders.blocks_from(*cell_, i, owner);
   if (!blocks && !occluders.blocks_beyond_owner(i, floor_)) return false;
   Box const& bounds = occluders.bounds()[i];
-  if (!meet(bounds, cell_->bounds()) && test_.hidden(bounds)) return true;
+  if (!meet(bounds, cell_->bounds()) && test_.hidden(bounds, OccludeeTest::Pixels::whole)) return true;
   occluders.visit(i, [&](auto const& shape) { chords_of(shape, chords_); });
   ++counts_.occluders;
   for (std::size_t f = 0; f < frames_.size(); ++f)

@@ -23,14 +23,17 @@ public:
   };
   explicit OccludeeTest(std::vector<Family> families) : families_(std::move(families)) {}
 
-  /// One extent for the whole box.
-  bool hidden(Box const& box);
+  enum class Pixels { whole, refined };
+  /// In each pixel one extent for the whole box; in parts of pixels, if they are asked, what of it is there.
+  bool hidden(Box const& box, Pixels pixels = Pixels::refined);
   /// In each pixel, or each part of it, only what of the hull lies between its outermost lines. `bounds`: contains the
   /// points.
   bool hidden(Box const& bounds, std::span<Point3d const> points);
 
 private:
   void localize(Frame const& frame, std::span<Point3d const> points);
+  bool is_last_shown(Family const& family) const;
+  bool shows_where_the_last_did(Family const& family);
   bool hidden_in_pixel(Family const& family, int row, int column);
   bool hidden_in_part(RefinedMap& map, std::uint32_t part, std::optional<std::uint32_t> whole = {});
   bool hidden_by_one_of(std::span<Gate const> gates) const;
@@ -46,6 +49,9 @@ private:
   std::vector<Family> families_;
   std::size_t last_family_ = 0;  // where something was not hidden
   int last_row_ = 0;
+  RefinedMap const* last_map_ = nullptr;  // null, or where last_part_ was when it had so many notes
+  std::uint32_t last_part_ = 0;
+  std::size_t last_notes_ = 0;
   Frame const* frame_ = nullptr;  // that the following are in
   std::vector<LocalPoint> points_;
   std::vector<double> margin_, low_side_, high_side_;

@@ -23,6 +23,9 @@ public:
   /// The body touches the pixel and may hide something there. Bodies come in the order in which they are entered.
   void note(int row, int column, std::uint32_t body);
 
+  /// How often bodies were noted.
+  std::size_t notes() const { return notes_.size(); }
+
   /// A part of a pixel.
   class Part {
   public:
