@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <set>
+#include <span>
 
 namespace visibility::ray_space {
 
@@ -13,7 +15,7 @@ constexpr std::size_t most_points = 32;  ///< of a polyhedron, and of a prism's 
 std::uint16_t index(std::size_t i) { return static_cast<std::uint16_t>(i); }
 
 /// Both rings of an upright prism over the convex polygon, in order around it.
-void upright(std::vector<Point2d> const& polygon, double bottom, double top, Chords& out)
+void upright(std::span<Point2d const> polygon, double bottom, double top, Chords& out)
 {
   out.clear();
   std::size_t const n = polygon.size();
@@ -48,11 +50,14 @@ std::vector<Point3d> outermost(std::vector<Point3d> const& points)
   return out;
 }
 
-/// Whether half of the vertices lie at one height and the others right above them; fills `out` if so.
+/// Whether half of the vertices lie at one height and the others right above them; fills `out` if so. Requires: no more
+/// than most_points vertices.
 bool upright(ConvexPolyhedron const& p, Chords& out)
 {
   double const bottom = std::ranges::min(p.vertices, {}, &Point3d::z).z;
-  std::vector<std::size_t> position(p.vertices.size(), p.vertices.size());  // in the lower ring
+  constexpr std::size_t none = most_points;
+  std::array<std::size_t, most_points> position;  // in the lower ring
+  position.fill(none);
   for (std::size_t i = 0; i < p.vertices.size(); ++i)
     if (p.vertices[i].z == bottom) position[i] = out.points.size(), out.points.push_back(p.vertices[i]);
   std::size_t const n = out.points.size();
@@ -63,14 +68,14 @@ bool upright(ConvexPolyhedron const& p, Chords& out)
     if (std::ranges::find(p.vertices, above) == p.vertices.end()) return false;
     out.points.push_back(above);
   }
-  std::vector<bool> is_edge(n * n, false);
+  std::bitset<most_points * most_points> is_edge;
   for (auto const& e : p.edges) {
     auto const i = position[static_cast<std::size_t>(e.from)], j = position[static_cast<std::size_t>(e.to)];
-    if (i < n && j < n) is_edge[std::min(i, j) * n + std::max(i, j)] = true;
+    if (i < n && j < n) is_edge.set(std::min(i, j) * most_points + std::max(i, j));
   }
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j)
-      (is_edge[i * n + j] ? out.edges : out.others).push_back({index(i), index(j), true, true});
+      (is_edge[i * most_points + j] ? out.edges : out.others).push_back({index(i), index(j), true, true});
   return out.upright = true;
 }
 
@@ -78,7 +83,8 @@ bool upright(ConvexPolyhedron const& p, Chords& out)
 
 void chords_of(Box const& b, Chords& out)
 {
-  upright({{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}}, b.min.z, b.max.z, out);
+  std::array<Point2d, 4> const plan{{{b.min.x, b.min.y}, {b.max.x, b.min.y}, {b.max.x, b.max.y}, {b.min.x, b.max.y}}};
+  upright(plan, b.min.z, b.max.z, out);
 }
 
 void chords_of(Ball const& b, Chords& out)

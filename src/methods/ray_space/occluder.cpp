@@ -221,7 +221,9 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
   auto const box = local_box(frame, bounds);
   if (!box) return 0;
   bool const is_narrow = is_narrower_than_pixels(frame, *box);
-  if ((is_narrow && refined == nullptr) || !localize(body, frame)) return 0;
+  if (is_narrow && refined == nullptr) return 0;
+  auto const [first, last] = rows_of(frame, *box);
+  if (first >= last || !localize(body, frame)) return 0;
   beyond_ = inside != nullptr ? local_box(frame, *inside)->extent.far : 0;
   std::size_t const columns = static_cast<std::size_t>(frame.columns());
   for (auto* const limits : {&below_limit_, &above_limit_}) limits->resize(points_.size());
@@ -234,7 +236,6 @@ std::size_t OccluderWriter::write(Chords const& body, Box const& bounds, Frame c
   std::size_t const plan_points = body.upright ? points_.size() / 2 : points_.size();
   std::size_t written = 0;
   std::optional<std::uint32_t> number;
-  auto const [first, last] = rows_of(frame, *box);
   for (int row = first; row < last; ++row) {
     double const t0 = frame.t(row), t1 = frame.t(row + 1);
     double least_below = infinity, most_below = -infinity, least_above = infinity, most_above = -infinity;

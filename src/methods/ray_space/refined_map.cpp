@@ -114,6 +114,7 @@ void RefinedMap::update(std::uint32_t index, std::uint32_t whole)
   auto gates = list(index);
   for (auto const& g : this->gates(whole)) gates.add(g);
   auto const& bodies = parts_[whole].bodies_;
+  if (half.bodies_.empty()) half.bodies_.reserve(bodies.size() - half.seen_);
   for (; half.seen_ < bodies.size(); ++half.seen_) {
     auto const body = bodies[half.seen_];
     auto const passing = bodies_.passing(body, half.pixel_);

@@ -18,7 +18,7 @@ struct Chord {
 };
 
 /// What a convex body is to vertical planes: points of it, and chords between them. Any choice is right; edges of the
-/// body are best, and others serve where a vertex lies among the lines of a pixel.
+/// body are best, and others serve where a vertex lies among the lines of a pixel. At most 64 points.
 struct Chords {
   std::vector<Point3d> points;
   std::vector<Chord> edges, others;
