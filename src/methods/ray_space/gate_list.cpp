@@ -34,7 +34,7 @@ bool GateList::add(Gate gate)
     gates_[size_++] = gate;
   } else {
     auto* const least = std::min_element(gates_, gates_ + size_, is_smaller);
-    if (extent(*least) > extent(gate)) return false;
+    if (extent(*least) > extent(gate)) return true;
     *least = gate;
   }
   std::swap(*gates_, *std::max_element(gates_, gates_ + size_, is_smaller));

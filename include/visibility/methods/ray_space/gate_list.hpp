@@ -19,7 +19,7 @@ public:
   void keep(Gate const& gate) { gates_[size_++] = gate; }
 
   /// Fuses the gate with those that are there where no gap is left, and drops what it then dominates; of too many gates
-  /// the smallest goes. Returns whether anything has changed. [Leyvand03, section 3.2]
+  /// the smallest goes. Returns whether none of those that were there dominates it. [Leyvand03, section 3.2]
   bool add(Gate gate);
 
 private:
