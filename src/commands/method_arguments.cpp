@@ -38,7 +38,7 @@ ray_space::Options ray_space_options(MethodArguments const& a)
   ray_space::Options options;
   if (a.resolution) options.resolution = *a.resolution;
   options.components = a.components;
-  options.refinement = a.refinement;
+  options.coarse = a.coarse;
   options.umbra = a.umbra == "half" ? ray_space::Umbra::half : ray_space::Umbra::full;
   options.bounds = a.bounds == "linear" ? ray_space::Bounds::linear : ray_space::Bounds::exact;
   options.granularity = ray_space::granularity_from_string(a.granularity);
@@ -145,10 +145,10 @@ void MethodArguments::add_to(CLI::App& command)
     "strong-occlusion, extended-projection, ray-space: do not look for convex occluders inside non-convex "
     "objects");
   command.add_option("--resolution", resolution,
-                     "extended-projection, ray-space: pixels of a map along a side (default 256, ray-space 512)");
+                     "extended-projection, ray-space: pixels of a map along a side (default 256, ray-space 4096)");
   command.add_option("--components", components, "ray-space: umbrae kept in each pixel (default 2)");
-  command.add_option("--refinement", refinement,
-                     "ray-space: how often a pixel may be halved either way where it must be (default 3; 0: never)");
+  command.add_option("--coarse", coarse,
+                     "ray-space: pixels that a map begins with along a side, halved where they must be (default 128)");
   command.add_option("--umbra", umbra, "ray-space: full (default), or half: what no sight line passes below");
   command.add_option("--bounds", bounds, "ray-space: exact (default) or linear, the paper's approximation");
   std::string names;
@@ -224,7 +224,7 @@ std::map<std::string, std::string> MethodArguments::options() const
   if (method == "ray-space")
     return {{"resolution", std::to_string(ray_space_options(*this).resolution)},
             {"components", std::to_string(components)},
-            {"refinement", std::to_string(refinement)},
+            {"coarse", std::to_string(ray_space_options(*this).first_resolution())},
             {"umbra", umbra},
             {"bounds", bounds},
             {"granularity", granularity},

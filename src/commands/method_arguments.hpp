@@ -28,7 +28,7 @@ struct MethodArguments {
   bool no_inner_bodies = false;
   std::optional<int> resolution;  ///< of maps; the method's default
   int components = 2;
-  int refinement = ray_space::Options{}.refinement;
+  int coarse = ray_space::Options{}.coarse;
   std::string umbra = "full", bounds = "exact";
   bool witnesses = false;
   std::string occludees;                    ///< scene that is looked for; empty: the scene itself

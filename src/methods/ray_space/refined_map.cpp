@@ -21,10 +21,9 @@ Gate common(Gate const& a, Gate const& b)
 }  // namespace
 
 RefinedMap::RefinedMap(Frame const& frame, OcclusionMap& map, Options const& options)
-  : frame_(&frame), map_(&map), options_(options), bodies_(frame, options)
+  : frame_(&frame), map_(&map), options_(options), halvings_(options.halvings()), bodies_(frame, options)
 {
-  if (options.refinement > 0)
-    roots_.resize(static_cast<std::size_t>(frame.rows()) * static_cast<std::size_t>(frame.columns()));
+  if (halvings_ > 0) roots_.resize(static_cast<std::size_t>(frame.rows()) * static_cast<std::size_t>(frame.columns()));
 }
 
 void RefinedMap::note(int row, int column, std::uint32_t body)
@@ -94,7 +93,7 @@ void RefinedMap::divide(std::uint32_t index, double distance)
 {
   Pixel const whole = parts_[index].pixel_;
   int const s = parts_[index].halved_s_, t = parts_[index].halved_t_;
-  bool const may_s = s < options_.refinement, may_t = t < options_.refinement;
+  bool const may_s = s < halvings_, may_t = t < halvings_;
   if (!may_s && !may_t) return;
   bool const in_t = may_t && (!may_s || (whole.t1 - whole.t0) * distance > whole.s1 - whole.s0);
   Pixel a = whole, b = whole;

@@ -30,7 +30,7 @@ std::vector<RefinedMap> refined_maps_of(std::vector<Frame> const& frames, std::v
                                         Options const& options)
 {
   std::vector<RefinedMap> out;
-  if (options.refinement == 0) return out;
+  if (options.halvings() == 0) return out;
   for (std::size_t f = 0; f < frames.size(); ++f) out.emplace_back(frames[f], maps[f], options);
   return out;
 }
@@ -69,7 +69,7 @@ bool nearly_contains(Box const& body, Box const& part)
 }  // namespace
 
 Search::Search(PreparedScene const& scene, ViewCell const& cell, Options const& options)
-  : scene_(&scene), cell_(&cell), options_(options), frames_(frames_of(cell.bounds(), options.resolution)),
+  : scene_(&scene), cell_(&cell), options_(options), frames_(frames_of(cell.bounds(), options.first_resolution())),
     maps_(maps_of(frames_, options.components)), refined_(refined_maps_of(frames_, maps_, options)),
     test_(together(frames_, maps_, refined_)), floor_(floor_of(scene, cell.bounds())), writer_(floor_, options)
 {

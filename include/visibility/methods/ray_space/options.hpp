@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
@@ -42,27 +43,38 @@ inline Granularity granularity_from_string(std::string const& name)
 inline std::string to_string(Bounds b) { return b == Bounds::exact ? "exact" : "linear"; }
 
 struct Options {
-  /// Side of the whole map: it has resolution^2 / 2 pixels, a quarter of them for each family of directions. Sizes that
-  /// are no multiple of 8 are rounded down. [Leyvand03, table 4]
-  int resolution = 512;
-  /// How often each side of a pixel may be halved, where what is looked for would else be visible. 0: never.
-  int refinement = 3;
+  /// Side of the whole map in its finest pixels: resolution^2 / 2 of them cover it, a quarter for each family of
+  /// directions. [Leyvand03, table 4]
+  int resolution = 4096;
+  /// The same in the pixels that the map begins with. They are halved, either way, where something would else be
+  /// visible, as often as the resolution is twice as high; no more than the resolution counts. Sizes that are no
+  /// multiple of 8 are rounded down.
+  int coarse = 128;
   int components = 2;  ///< umbrae kept for each pixel, at least 1
   Umbra umbra = Umbra::full;
   Bounds bounds = Bounds::exact;
   Granularity granularity = Granularity::face;
 
-  static constexpr int min_resolution = 8, max_resolution = 4096, max_components = 16, max_refinement = 8;
+  static constexpr int min_resolution = 8, max_resolution = 65536, max_coarse = 4096, max_components = 16;
+
+  /// Of the map that it begins with; how often its pixels may be halved either way.
+  int first_resolution() const { return std::min(coarse, resolution); }
+  int halvings() const
+  {
+    int n = 0;
+    while (first_resolution() <= resolution >> (n + 1)) ++n;
+    return n;
+  }
 
   /// Throws std::invalid_argument unless the numbers are in their ranges.
   void validate() const
   {
     if (resolution < min_resolution || resolution > max_resolution)
-      throw std::invalid_argument("ray-space: the resolution must be from 8 to 4096");
+      throw std::invalid_argument("ray-space: the resolution must be from 8 to 65536");
+    if (coarse < min_resolution || coarse > max_coarse)
+      throw std::invalid_argument("ray-space: the coarse resolution must be from 8 to 4096");
     if (components < 1 || components > max_components)
       throw std::invalid_argument("ray-space: the number of components must be from 1 to 16");
-    if (refinement < 0 || refinement > max_refinement)
-      throw std::invalid_argument("ray-space: the refinement must be from 0 to 8");
   }
 };
 

@@ -91,6 +91,7 @@ private:
   Frame const* frame_;
   OcclusionMap* map_;
   Options options_;
+  int halvings_;
   EnteredBodies bodies_;
   std::vector<Root> roots_;
   std::vector<Note> notes_;
