@@ -78,7 +78,7 @@ void bounds(Report& report, Size size)
     for (auto const b : {visibility::ray_space::Bounds::exact, visibility::ray_space::Bounds::linear})
       for (auto const g : {visibility::ray_space::Granularity::object, visibility::ray_space::Granularity::part,
                            visibility::ray_space::Granularity::face}) {
-        auto const m = measure(*model.prepared, cell, {.bounds = b, .granularity = g}, false);
+        auto const m = measure(*model.prepared, cell, {.resolution = 512, .bounds = b, .granularity = g}, false);
         table.add({std::string(spec), to_string(b), to_string(g), m.objects, m.seconds});
       }
     if (size == Size::smoke) break;

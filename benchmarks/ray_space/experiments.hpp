@@ -14,6 +14,7 @@ namespace visibility::bench::ray_space {
 enum class Size { full, smoke };  ///< smoke: small scenes, to see that it runs
 
 void urban(Report&, Size);       ///< table 1
+void tightness(Report&, Size);   ///< the same cells in a city of which there is an exact set
 void box_field(Report&, Size);   ///< table 2
 void umbrae(Report&, Size);      ///< table 3: half and full umbra
 void resolution(Report&, Size);  ///< table 4
