@@ -179,6 +179,7 @@ bool OccludeeTest::hidden_by_one_of(std::span<Gate const> gates) const
 
 bool OccludeeTest::hidden_in_pixel(Family const& f, int row, int column)
 {
+  if (f.frame->cell_slice(row, column) == nullptr) return true;
   if (f.refined != nullptr) {
     bool const all = hidden_in_part(*f.refined, f.refined->part(row, column));
     if (all) f.refined->raise(row, column);

@@ -33,11 +33,13 @@ void RefinedMap::note(int row, int column, std::uint32_t body)
   at.last_note = static_cast<std::int32_t>(notes_.size()) - 1;
 }
 
-std::uint32_t RefinedMap::make_part(Pixel const& pixel, int halved_s, int halved_t)
+std::uint32_t RefinedMap::make_part(Pixel const& pixel, CellSlice const& slice, int halved_s, int halved_t)
 {
   auto& part = parts_.emplace_back();
   part.pixel_ = pixel;
-  part.slice_ = frame_->cell_slice(pixel);
+  part.slice_ = slice;
+  CellSlice const own = frame_->cell_slice(pixel);
+  part.is_empty_ = own.u_in > own.u_out;
   part.halved_s_ = static_cast<std::int8_t>(halved_s);
   part.halved_t_ = static_cast<std::int8_t>(halved_t);
   gates_.resize(first_gate(static_cast<std::uint32_t>(parts_.size())));
@@ -47,7 +49,8 @@ std::uint32_t RefinedMap::make_part(Pixel const& pixel, int halved_s, int halved
 std::uint32_t RefinedMap::part(int row, int column)
 {
   auto& at = root(row, column);
-  if (at.part < 0) at.part = static_cast<std::int32_t>(make_part(frame_->pixel(row, column), 0, 0));
+  if (at.part < 0)
+    at.part = static_cast<std::int32_t>(make_part(frame_->pixel(row, column), *frame_->cell_slice(row, column), 0, 0));
   auto const index = static_cast<std::uint32_t>(at.part);
   auto& part = parts_[index];
   auto const before = static_cast<std::ptrdiff_t>(part.bodies_.size());
@@ -92,6 +95,7 @@ std::optional<std::uint32_t> RefinedMap::halves(std::uint32_t whole, double dist
 void RefinedMap::divide(std::uint32_t index, double distance)
 {
   Pixel const whole = parts_[index].pixel_;
+  CellSlice const slice = parts_[index].slice_;
   int const s = parts_[index].halved_s_, t = parts_[index].halved_t_;
   bool const may_s = s < halvings_, may_t = t < halvings_;
   if (!may_s && !may_t) return;
@@ -101,8 +105,8 @@ void RefinedMap::divide(std::uint32_t index, double distance)
     a.t1 = b.t0 = 0.5 * whole.t0 + 0.5 * whole.t1;
   else
     a.s1 = b.s0 = 0.5 * whole.s0 + 0.5 * whole.s1;
-  auto const first = make_part(a, s + !in_t, t + in_t);
-  make_part(b, s + !in_t, t + in_t);
+  auto const first = make_part(a, slice, s + !in_t, t + in_t);
+  make_part(b, slice, s + !in_t, t + in_t);
   parts_[index].parts_ = static_cast<std::int32_t>(first);
 }
 

@@ -30,19 +30,20 @@ public:
   class Part {
   public:
     Pixel const& pixel() const { return pixel_; }
-    CellSlice const& cell_slice() const { return slice_; }
     /// Whether no line of it meets the cell.
-    bool is_empty() const { return slice_.u_in > slice_.u_out; }
+    bool is_empty() const { return is_empty_; }
 
   private:
     friend class RefinedMap;
     Pixel pixel_;
+    // Of the whole pixel: gates that fuse must be compared with one and the same slice of the cell.
     CellSlice slice_;
     std::vector<std::uint32_t> bodies_;  // that its parts have yet to see, in order
     Reach reach_;                        // of the bodies
     std::uint32_t seen_ = 0;             // of the bodies of the part that it is a part of
     std::int32_t parts_ = -1;            // the first of its two; the other one follows
     std::int8_t gates_ = 0, halved_s_ = 0, halved_t_ = 0;
+    bool is_empty_ = false;
   };
 
   /// The pixel as a part, up to date with the map.
@@ -70,7 +71,7 @@ public:
   std::size_t size() const { return parts_.size(); }
 
 private:
-  std::uint32_t make_part(Pixel const& pixel, int halved_s, int halved_t);
+  std::uint32_t make_part(Pixel const& pixel, CellSlice const& slice, int halved_s, int halved_t);
   void divide(std::uint32_t part, double distance);
   std::size_t first_gate(std::uint32_t part) const { return part * static_cast<std::size_t>(options_.components); }
   GateList list(std::uint32_t part) { return {&gates_[first_gate(part)], parts_[part].gates_, options_.components}; }
