@@ -19,6 +19,7 @@ ray_space::Options any_options(Random& random)
 {
   ray_space::Options o;
   o.resolution = resolutions[random.chance(0.9) ? random.below(4) : random.below(7)];
+  o.coarse = resolutions[random.below(random.chance(0.9) ? 4 : 7)];
   o.components = random.between(1, 5);
   o.umbra = random.chance(0.5) ? ray_space::Umbra::half : ray_space::Umbra::full;
   o.bounds = random.chance(0.5) ? ray_space::Bounds::exact : ray_space::Bounds::linear;
@@ -52,7 +53,8 @@ TEST_CASE("ray-space: nothing that the exact set holds is missing", "[methods][c
       auto const exact = Exact25d<Filtered>()(HeightField(c.scene), cell);
       if (exact.guarantee != Guarantee::exact) continue;
       auto const options = any_options(random);
-      CAPTURE(options.resolution, options.components, to_string(options.umbra), to_string(options.bounds));
+      CAPTURE(options.resolution, options.coarse, options.components, to_string(options.umbra),
+              to_string(options.bounds));
       auto const set = RaySpace(options)(PreparedScene(c.scene), cell);
       REQUIRE(set.guarantee == Guarantee::conservative);
       std::vector<std::uint32_t> missing;

@@ -21,10 +21,16 @@ namespace {
 /// All bodies of a scene in the maps of a cell, in any order, whether visible or not.
 struct World {
   World(PreparedScene const& scene, Box const& cell, double floor, Random& random)
-    : options{.resolution = 1 << random.between(4, 9), .components = random.between(1, 4)}, writer(floor, options)
+    : options{.resolution = 1 << random.between(4, 9),
+              .coarse = 1 << random.between(3, 9),
+              .components = random.between(1, 4)},
+      writer(floor, options)
   {
-    for (int f = 0; f < 4; ++f) frames.emplace_back(cell, f, options.resolution, options.resolution / 4);
+    for (int f = 0; f < 4; ++f)
+      frames.emplace_back(cell, f, options.first_resolution(), options.first_resolution() / 4);
     for (auto const& f : frames) maps.emplace_back(f, options.components);
+    if (options.halvings() > 0)
+      for (std::size_t f = 0; f < 4; ++f) refined.emplace_back(frames[f], maps[f], options);
     auto const& bodies = scene.bodies().bodies();
     std::vector<std::size_t> order(bodies.size());
     for (std::size_t i = 0; i < order.size(); ++i)
@@ -34,14 +40,16 @@ struct World {
       if (!bodies[i].occludes) continue;
       visit_shape(scene.bodies(), bodies[i], [&](auto const& shape) { chords_of(shape, chords); });
       for (std::size_t f = 0; f < 4; ++f)
-        pixels += writer.write(chords, scene.bodies().bounds()[i], frames[f], maps[f]);
+        pixels +=
+          writer.write(chords, scene.bodies().bounds()[i], frames[f], maps[f], refined.empty() ? nullptr : &refined[f]);
     }
   }
 
-  OccludeeTest test() const
+  OccludeeTest test()
   {
     std::vector<OccludeeTest::Family> families;
-    for (std::size_t f = 0; f < 4; ++f) families.push_back({&frames[f], &maps[f]});
+    for (std::size_t f = 0; f < 4; ++f)
+      families.push_back({&frames[f], &maps[f], refined.empty() ? nullptr : &refined[f]});
     return OccludeeTest(families);
   }
 
@@ -49,6 +57,7 @@ struct World {
   OccluderWriter writer;
   std::vector<Frame> frames;
   std::vector<OcclusionMap> maps;
+  std::vector<RefinedMap> refined;  // none if pixels are not divided
   std::size_t pixels = 0;
 };
 
@@ -101,7 +110,7 @@ TEST_CASE("ray-space: every sight line to what is called hidden is blocked", "[m
     auto const at = [&](Point3d const& p) { return Point3d{p.x + by.x, p.y + by.y, p.z + by.z}; };
     cell = {at(cell.min), at(cell.max)};
     PreparedScene const prepared(scene);
-    World const world(prepared, cell, at({0, 0, -8}).z, random);
+    World world(prepared, cell, at({0, 0, -8}).z, random);
     pixels += world.pixels;
     OccludeeTest test = world.test();
     for (int i = 0; i < 20; ++i) {
@@ -161,7 +170,7 @@ std::vector<std::pair<RationalNumber, RationalNumber>> slice(Frame const& frame,
 
 TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any of its lines", "[methods][oracle]")
 {
-  std::size_t gates = 0, upright = 0;
+  std::size_t gates = 0, of_parts = 0, upright = 0;
   for (int trial = 0; trial < trials(90); ++trial) {
     CAPTURE(trial);
     Random random(static_cast<std::uint64_t>(trial));
@@ -184,47 +193,62 @@ TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any
       chords_of(ConvexPolyhedron::hull(points), chords);
     upright += chords.upright;
     CHECK((trial % 3 != 0 || chords.upright));
-    Options options;
+    Options options{.resolution = 128, .coarse = 16, .components = 1};
     options.bounds = random.chance(0.5) ? Bounds::exact : Bounds::linear;
     OccluderWriter writer(-1e9, options);
     for (int family : {0, 2}) {
       Frame const frame(cell, family, 24, 12);
       OcclusionMap map(frame, 1);
-      writer.write(chords, bounds, frame, map);
+      RefinedMap refined(frame, map, options);
+      writer.write(chords, bounds, frame, map, &refined);
+      // Whatever part of a pixel the gate is of, it is compared with the slice of the cell by the whole pixel.
+      auto const check_gate = [&](Gate const& g, Pixel const& pixel, CellSlice const& k) {
+        // A corner of the pixel, or a line inside it.
+        double const a = random.chance(0.5) ? random.below(2) : random.unit();
+        RationalNumber const s =
+          RationalNumber(pixel.s0) * (1 - RationalNumber(a)) + RationalNumber(pixel.s1) * RationalNumber(a);
+        RationalNumber const t = RationalNumber(random.chance(0.5) ? pixel.t0 : pixel.t1);
+        RationalNumber const in(k.u_in), out(k.u_out), height(k.height);
+        auto const points_of_slice = slice(frame, cell, family, points, s, t);
+        REQUIRE(!points_of_slice.empty());
+        bool top = false, bottom = false, top_separating = false, bottom_separating = false, near = false;
+        for (auto const& [u, z] : points_of_slice) {
+          REQUIRE(u > out);
+          RationalNumber const rise = z - height;
+          RationalNumber const upper = rise / (u - (rise >= 0 ? in : out)), lower = z / (u - (z >= 0 ? out : in));
+          top |= upper >= RationalNumber(double(g.top.slope));
+          top_separating |= lower >= RationalNumber(double(g.top.separating));
+          bottom |= lower <= RationalNumber(double(g.bottom.slope));
+          bottom_separating |= upper <= RationalNumber(double(g.bottom.separating));
+          near |= u + RationalNumber(frame.half_length()) <= RationalNumber(double(g.beyond));
+        }
+        CHECK(top);
+        CHECK(bottom);
+        CHECK(top_separating);
+        CHECK(bottom_separating);
+        CHECK(near);
+      };
       for (int row = 0; row < frame.rows(); ++row)
         for (int column = 0; column < frame.columns(); ++column) {
-          Gate const g = map.gate(row, column, 0);
           auto const* const k = frame.cell_slice(row, column);
-          if (std::isinf(g.beyond) || k == nullptr || !random.chance(0.3)) continue;
-          ++gates;
-          // A corner of the pixel, or a line inside it.
-          double const a = random.chance(0.5) ? random.below(2) : random.unit(), b = random.below(2);
-          RationalNumber const s = RationalNumber(frame.s(column)) * (1 - RationalNumber(a)) +
-                                   RationalNumber(frame.s(column + 1)) * RationalNumber(a);
-          RationalNumber const t = RationalNumber(frame.t(row + static_cast<int>(b)));
-          RationalNumber const in(k->u_in), out(k->u_out), height(k->height);
-          auto const points_of_slice = slice(frame, cell, family, points, s, t);
-          REQUIRE(!points_of_slice.empty());
-          bool top = false, bottom = false, top_separating = false, bottom_separating = false, near = false;
-          for (auto const& [u, z] : points_of_slice) {
-            REQUIRE(u > out);
-            RationalNumber const rise = z - height;
-            RationalNumber const upper = rise / (u - (rise >= 0 ? in : out)), lower = z / (u - (z >= 0 ? out : in));
-            top |= upper >= RationalNumber(double(g.top.slope));
-            top_separating |= lower >= RationalNumber(double(g.top.separating));
-            bottom |= lower <= RationalNumber(double(g.bottom.slope));
-            bottom_separating |= upper <= RationalNumber(double(g.bottom.separating));
-            near |= u + RationalNumber(frame.half_length()) <= RationalNumber(double(g.beyond));
+          if (k == nullptr || !random.chance(0.3)) continue;
+          Gate const g = map.gate(row, column, 0);
+          if (!std::isinf(g.beyond)) ++gates, check_gate(g, frame.pixel(row, column), *k);
+          auto part = refined.part(row, column);
+          for (int depth = random.between(1, 6); depth > 0; --depth) {
+            auto const first = refined.halves(part, random.uniform(0, 20));
+            if (!first) break;
+            auto const half = *first + static_cast<std::uint32_t>(random.below(2));
+            refined.update(half, part);
+            part = half;
+            for (auto const& h : refined.gates(part))
+              if (!refined[part].is_empty()) ++of_parts, check_gate(h, refined[part].pixel(), *k);
           }
-          CHECK(top);
-          CHECK(bottom);
-          CHECK(top_separating);
-          CHECK(bottom_separating);
-          CHECK(near);
         }
     }
   }
   CHECK(upright > 0);
+  CHECK(of_parts > gates);
   CHECK(gates > static_cast<std::size_t>(trials(100)));
 }
 
@@ -237,7 +261,9 @@ TEST_CASE("ray-space: guided rays find nothing that is missing from towns with i
     char const* const kinds[] = {"urban,n=30,seed=", "urban,n=20,tilt=10,seed=", "district,copies=1,seed="};
     Scene const scene = generate(kinds[trial % 3] + std::to_string(trial + 1));
     PreparedScene const prepared(scene, InnerBodyOptions{});
-    Options options{.resolution = 1 << random.between(6, 9), .components = random.between(1, 3)};
+    Options options{.resolution = 1 << random.between(6, 11),
+                    .coarse = 1 << random.between(5, 9),
+                    .components = random.between(1, 3)};
     options.bounds = random.chance(0.5) ? Bounds::exact : Bounds::linear;
     // Some cells reach into buildings, whose inner bodies then hide what is behind all of their building alone.
     double const x = random.chance(0.5) ? random.uniform(-60, 60) : 0;
@@ -263,7 +289,9 @@ TEST_CASE("ray-space: guided rays find nothing that is missing", "[methods][cons
   for (int trial = 0; trial < trials(20); ++trial) {
     CAPTURE(trial);
     Random random(static_cast<std::uint64_t>(trial));
-    Options options{.resolution = 1 << random.between(5, 9), .components = random.between(1, 4)};
+    Options options{.resolution = 1 << random.between(5, 11),
+                    .coarse = 1 << random.between(4, 9),
+                    .components = random.between(1, 4)};
     options.umbra = random.chance(0.3) ? Umbra::half : Umbra::full;
     options.bounds = random.chance(0.5) ? Bounds::exact : Bounds::linear;
     options.granularity = static_cast<Granularity>(random.below(4));
