@@ -208,6 +208,8 @@ TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any
         RationalNumber const s =
           RationalNumber(pixel.s0) * (1 - RationalNumber(a)) + RationalNumber(pixel.s1) * RationalNumber(a);
         RationalNumber const t = RationalNumber(random.chance(0.5) ? pixel.t0 : pixel.t1);
+        // A part of a pixel may hold for the lines that meet the cell alone.
+        if (abs(s) > RationalNumber(frame.half_width()) + abs(t) * RationalNumber(frame.half_length())) return;
         RationalNumber const in(k.u_in), out(k.u_out), height(k.height);
         auto const points_of_slice = slice(frame, cell, family, points, s, t);
         REQUIRE(!points_of_slice.empty());
@@ -234,16 +236,21 @@ TEST_CASE("ray-space: a gate of a pixel is no larger than the exact slice of any
           if (k == nullptr || !random.chance(0.3)) continue;
           Gate const g = map.gate(row, column, 0);
           if (!std::isinf(g.beyond)) ++gates, check_gate(g, frame.pixel(row, column), *k);
-          auto part = refined.part(row, column);
-          for (int depth = random.between(1, 6); depth > 0; --depth) {
-            auto const first = refined.halves(part, random.uniform(0, 20));
-            if (!first) break;
-            auto const half = *first + static_cast<std::uint32_t>(random.below(2));
-            refined.update(half, part);
-            part = half;
+          std::vector<std::uint32_t> path{refined.part(row, column)};
+          auto const check_part = [&](std::uint32_t part) {
             for (auto const& h : refined.gates(part))
               if (!refined[part].is_empty()) ++of_parts, check_gate(h, refined[part].pixel(), *k);
+          };
+          for (int depth = random.between(1, 6); depth > 0; --depth) {
+            auto const first = refined.halves(path.back(), random.uniform(0, 20));
+            if (!first) break;
+            for (auto const half : {*first, *first + 1}) refined.update(half, path.back()), check_part(half);
+            path.push_back(*first + static_cast<std::uint32_t>(random.below(2)));
           }
+          for (; !path.empty(); path.pop_back()) refined.raise(path.back()), check_part(path.back());
+          refined.raise(row, column);
+          Gate const raised = map.gate(row, column, 0);
+          if (!std::isinf(raised.beyond)) check_gate(raised, frame.pixel(row, column), *k);
         }
     }
   }
