@@ -119,7 +119,7 @@ def variations(resolutions: tuple[int, ...], components: tuple[int, ...]) -> lis
             for m in ("strong-occlusion", "exact-2.5d") for a in ("rational", "double")]
     out += [Method(m, ("--tally",), "tally", "tally") for m in ("strong-occlusion", "exact-2.5d")]
     out += [Method(m, ("--resolution", str(r)), "resolution", str(r))
-            for m, default in (("extended-projection", 256), ("occlusion-sweep", 256), ("ray-space", 512))
+            for m, default in (("extended-projection", 256), ("occlusion-sweep", 256), ("ray-space", 4096))
             for r in resolutions if r != default]
     out += [Method("ray-space", ("--components", str(k)), "components", str(k)) for k in components if k != 2]
     out += [Method("ray-space", ("--granularity", "object"), "granularity", "object"),
