@@ -61,7 +61,8 @@ void components(Report& report, Size size)
     Model const model(std::string("box-field,density=") + density + (size == Size::full ? ",n=20000" : ",n=200"),
                       false);
     for (int const k : {1, 2, 4, 8, 16}) {
-      auto const m = measure(*model.prepared, cell_at(0, 0, 20, 10), {.resolution = 512, .coarse = 512, .components = k}, false);
+      auto const m =
+        measure(*model.prepared, cell_at(0, 0, 20, 10), {.resolution = 512, .coarse = 512, .components = k}, false);
       table.add(
         {std::string(density), static_cast<double>(model.scene.objects.size()), double(k), m.objects, m.seconds});
     }
