@@ -147,6 +147,7 @@
 #include "visibility/methods/ray_space/occluder.hpp"
 #include "visibility/methods/ray_space/occlusion_map.hpp"
 #include "visibility/methods/ray_space/options.hpp"
+#include "visibility/methods/ray_space/reach.hpp"
 #include "visibility/methods/ray_space/refined_map.hpp"
 #include "visibility/methods/ray_space/rounding.hpp"
 #include "visibility/methods/ray_space/search.hpp"

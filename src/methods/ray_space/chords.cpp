@@ -12,6 +12,8 @@ namespace {
 
 constexpr std::size_t most_points = 32;  ///< of a polyhedron, and of a prism's footprint; all pairs of them for a dozen
 
+static_assert(most_points <= 64);  // what Chords promises
+
 std::uint16_t index(std::size_t i) { return static_cast<std::uint16_t>(i); }
 
 /// Both rings of an upright prism over the convex polygon, in order around it.

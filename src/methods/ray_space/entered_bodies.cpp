@@ -41,13 +41,9 @@ EnteredBodies::Passing EnteredBodies::passing(std::uint32_t body, Pixel const& p
 Reach EnteredBodies::reach(std::uint32_t body, CellSlice const& k) const
 {
   auto const& b = bodies_[body];
-  if (!(b.box.u0 > k.u_out)) return {GateEnds::infinity, -GateEnds::infinity, 0};
-  double const rise = double(b.box.extent.high) - k.height, low = b.box.extent.low;
-  return {rise >= 0 ? rise / (b.box.u0 - k.u_in) : rise / (b.box.u1 - k.u_out),
-          b.on_ground ? -GateEnds::infinity
-          : low >= 0  ? low / (b.box.u1 - k.u_out)
-                      : low / (b.box.u0 - k.u_in),
-          std::max(b.beyond, b.box.extent.near)};
+  Reach out = reach_of(b.box, b.on_ground, k);
+  out.from = std::max(out.from, double(b.beyond));
+  return out;
 }
 
 std::optional<Gate> EnteredBodies::gate(std::uint32_t body, Passing const& passing, Pixel const& pixel,

@@ -22,6 +22,19 @@ bool OccludeeTest::in_every_family(AllHidden&& all_hidden)
   return true;
 }
 
+namespace {
+
+/// Whether of the pixels [from, to) of the row each hides the extent, or else is_hidden(column).
+template <class IsHidden>
+bool each_hides(OcclusionMap const& map, int row, int from, int to, Extent const& extent, IsHidden&& is_hidden)
+{
+  for (int c = map.first_visible(row, from, to, extent); c < to; c = map.first_visible(row, c + 1, to, extent))
+    if (!is_hidden(c)) return false;
+  return true;
+}
+
+}  // namespace
+
 bool OccludeeTest::hidden(Box const& box, Pixels pixels)
 {
   return in_every_family([&](Family const& f, int start, int& shown) {
@@ -35,14 +48,11 @@ bool OccludeeTest::hidden(Box const& box, Pixels pixels)
     }
     auto const is_hidden = [&](int row, int from, int to) {
       shown = row;
-      for (int c = from; c < to; ++c) {
-        c = f.map->first_visible(row, c, to, local->extent);
-        if (c == to) return true;
+      return each_hides(*f.map, row, from, to, local->extent, [&](int column) {
         if (!asks_parts) return false;
         if (!has_points) localize(*f.frame, box.corners()), has_points = true;
-        if (!hidden_in_pixel(f, row, c)) return false;
-      }
-      return true;
+        return hidden_in_pixel(f, row, column);
+      });
     };
     return !local || every_row(*f.frame, *local, is_hidden, start);
   });
@@ -67,11 +77,8 @@ bool OccludeeTest::hidden(Box const& bounds, std::span<Point3d const> points)
       }
       from = std::max(from, f.frame->columns_below(low));
       to = std::min(to, f.frame->columns_from(high));
-      for (int c = from; c < to; ++c) {
-        c = f.map->first_visible(row, c, to, local->extent);
-        if (c < to && !hidden_in_pixel(f, row, c)) return false;
-      }
-      return true;
+      return each_hides(*f.map, row, from, to, local->extent,
+                        [&](int column) { return hidden_in_pixel(f, row, column); });
     };
     return every_row(*f.frame, *local, is_hidden, start);
   });

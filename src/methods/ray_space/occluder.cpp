@@ -163,7 +163,7 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
     auto const at = [&](Crossed const& x) { return SlicePoint{x.low[c], x.high[c], 0, 0}; };
     auto const ends = GateEnds::of_upright(k, at(near_), at(far_), bottom, top, open_below, scale);
     float const beyond = std::max(beyond_, ends.distance(back));
-    if (map.reaches(row, column, ends.top.slope, ends.bottom.slope, beyond)) continue;
+    if (map.reaches(row, column, {ends.top.slope, ends.bottom.slope, beyond})) continue;
     gates_[c] = ends.gate(k, back, beyond);
     ++written;
   }
@@ -179,19 +179,17 @@ std::size_t OccluderWriter::write_upright_row(Chords const& body, Frame const& f
 std::pair<int, int> OccluderWriter::leave_open(LocalBox const& box, Frame const& frame, OcclusionMap const& map,
                                                int row, int from, int to)
 {
-  double const rise = double(box.extent.high) - frame.height(), low = box.extent.low;
-  float const beyond = std::max(beyond_, box.extent.far);
+  double const beyond = std::max(beyond_, box.extent.far);
   int first = to, last = from;
   for (int c = from; c < to; ++c) {
     auto& open = open_[static_cast<std::size_t>(c)];
     if (open == 0) continue;
     auto const* const k = frame.cell_slice(row, c);
-    if (k != nullptr && box.u0 > k->u_out) {
-      double const top = rise >= 0 ? rise / (box.u0 - k->u_in) : rise / (box.u1 - k->u_out);
-      double const bottom = stands_ ? -infinity : low >= 0 ? low / (box.u1 - k->u_out) : low / (box.u0 - k->u_in);
-      if (map.reaches(row, c, top, bottom, beyond)) open = 0;
-    }
-    if (k == nullptr) open = 0;
+    auto const reaches = [&] {
+      auto const reach = reach_of(box, stands_, *k);
+      return map.reaches(row, c, {reach.top, reach.bottom, beyond});
+    };
+    if (k == nullptr || reaches()) open = 0;
     if (open == 0) continue;
     first = std::min(first, c);
     last = c + 1;
@@ -287,7 +285,7 @@ std::size_t OccluderWriter::write_row(Chords const& body, Frame const& frame, Oc
     auto const& k = *frame.cell_slice(row, c);
     auto const& ends = ends_[static_cast<std::size_t>(c)];
     float const beyond = std::max(beyond_, ends.distance(back));
-    if (map.reaches(row, c, ends.top.slope, ends.bottom.slope, beyond)) continue;
+    if (map.reaches(row, c, {ends.top.slope, ends.bottom.slope, beyond})) continue;
     gates_[static_cast<std::size_t>(c)] = ends.gate(k, back, beyond);
     ++written;
   }

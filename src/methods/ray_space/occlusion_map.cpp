@@ -34,9 +34,10 @@ OcclusionMap::OcclusionMap(Frame const& frame, int components)
 
 void OcclusionMap::insert(int row, int from, std::span<Gate const> gates)
 {
+  bool changed = false;
   for (std::size_t i = 0; i < gates.size(); ++i)
-    if (gates[i].beyond != infinity) insert(row, from + static_cast<int>(i), gates[i]);
-  update_blocks(row, from, from + static_cast<int>(gates.size()));
+    if (gates[i].beyond != infinity) changed |= insert(row, from + static_cast<int>(i), gates[i]);
+  if (changed) update_blocks(row, from, from + static_cast<int>(gates.size()));
 }
 
 /// Of blocks that hold pixels [from, to). Where no line meets the cell the bounds of the least are those of the others.
@@ -94,7 +95,7 @@ void OcclusionMap::set(int row, int c, int k, Gate const& g)
   at(bottom_separating) = g.bottom.separating;
 }
 
-void OcclusionMap::insert(int row, int c, Gate const& gate)
+bool OcclusionMap::insert(int row, int c, Gate const& gate)
 {
   std::array<Gate, Options::max_components> room;
   GateList list(room.data(), 0, components_);
@@ -103,18 +104,19 @@ void OcclusionMap::insert(int row, int c, Gate const& gate)
     if (g.beyond == infinity) break;
     list.keep(g);
   }
-  if (!list.add(gate)) return;
+  if (!list.add(gate)) return false;
   auto const kept = list.gates();
   for (int k = 0; k < components_; ++k)
     set(row, c, k, k < static_cast<int>(kept.size()) ? kept[static_cast<std::size_t>(k)] : empty);
+  return true;
 }
 
 namespace {
 
 /// Distances for which the products with slopes of gates, computed in floats, are on the safe side. None if they might
 /// overflow.
-struct Reach {
-  explicit Reach(Extent const& e) : near(e.near * (1 - 0x1p-22F)), far(e.far * (1 + 0x1p-22F)) {}
+struct Distances {
+  explicit Distances(Extent const& e) : near(e.near * (1 - 0x1p-22F)), far(e.far * (1 + 0x1p-22F)) {}
   bool in_range() const { return far < 0x1p64F; }
   float near, far;
 };
@@ -122,10 +124,10 @@ struct Reach {
 /// Whether a gate of these fields hides the extent. Monotone in each field, rounded as it is, so that what bounds
 /// fields bounds the answer.
 inline bool hides(float beyond, float top_slope, float top_base, float bottom_slope, float bottom_base,
-                  Reach const& reach, Extent const& e)
+                  Distances const& d, Extent const& e)
 {
-  float const top0 = top_slope * reach.near, top1 = top_slope * reach.far;
-  float const bottom0 = bottom_slope * reach.near, bottom1 = bottom_slope * reach.far;
+  float const top0 = top_slope * d.near, top1 = top_slope * d.far;
+  float const bottom0 = bottom_slope * d.near, bottom1 = bottom_slope * d.far;
   float const top = top_base + (top0 < top1 ? top0 : top1);
   float const bottom = bottom_base + (bottom0 > bottom1 ? bottom0 : bottom1);
   return (e.near > beyond) & (top > e.high) & (bottom < e.low);
@@ -136,14 +138,13 @@ inline bool hides(float beyond, float top_slope, float top_base, float bottom_sl
 /// Sets hidden[i] to -1 where one gate of pixel from + i hides the extent.
 void OcclusionMap::hide(int row, int from, int n, Extent const& e, std::int32_t* hidden) const
 {
-  Reach const reach(e);
-  if (!reach.in_range()) return;
+  Distances const d(e);
+  if (!d.in_range()) return;
   for (int k = 0; k < components_; ++k) {
     float const *const b = column(row, k, beyond) + from, *const ts = column(row, k, top_slope) + from,
                        *const tb = column(row, k, top_base) + from, *const bs = column(row, k, bottom_slope) + from,
                        *const bb = column(row, k, bottom_base) + from;
-    for (int i = 0; i < n; ++i)
-      hidden[i] |= -static_cast<std::int32_t>(hides(b[i], ts[i], tb[i], bs[i], bb[i], reach, e));
+    for (int i = 0; i < n; ++i) hidden[i] |= -static_cast<std::int32_t>(hides(b[i], ts[i], tb[i], bs[i], bb[i], d, e));
   }
 }
 
@@ -151,16 +152,16 @@ void OcclusionMap::hide(int row, int from, int n, Extent const& e, std::int32_t*
 template <class Visit>
 void OcclusionMap::each_block(int row, int from, int to, Extent const& e, Visit&& visit) const
 {
-  Reach const reach(e);
+  Distances const d(e);
   auto const hidden_by = [&](Block const& b) {
-    return hides(b.beyond, b.top_slope, b.top_base, b.bottom_slope, b.bottom_base, reach, e);
+    return hides(b.beyond, b.top_slope, b.top_base, b.bottom_slope, b.bottom_base, d, e);
   };
   while (from < to) {
     int const end = std::min(to, (from / block_size + 1) * block_size);
     auto const at = block(row, from);
-    auto const share = !reach.in_range() || !hidden_by(most_[at]) ? Share::none
-                       : hidden_by(least_[at])                    ? Share::all
-                                                                  : Share::some;
+    auto const share = !d.in_range() || !hidden_by(most_[at]) ? Share::none
+                       : hidden_by(least_[at])                ? Share::all
+                                                              : Share::some;
     if (!visit(from, end, share)) return;
     from = end;
   }

@@ -123,7 +123,7 @@ void RefinedMap::update(std::uint32_t index, std::uint32_t whole)
     auto const passing = bodies_.passing(body, half.pixel_);
     if (!passing.some_meet) continue;
     auto const reach = bodies_.reach(body, half.slice_);
-    if (gates.size() > 0 && reaches(gates.gates().front(), reach.top, reach.bottom, reach.from)) continue;
+    if (gates.size() > 0 && reaches(gates.gates().front(), reach)) continue;
     auto const gate = bodies_.gate(body, passing, half.pixel_, half.slice_);
     if (gate && !gates.add(*gate)) continue;
     half.bodies_.push_back(body);

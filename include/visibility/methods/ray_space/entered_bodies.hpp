@@ -3,8 +3,8 @@
 #include "visibility/methods/ray_space/chords.hpp"
 #include "visibility/methods/ray_space/footprint.hpp"
 #include "visibility/methods/ray_space/gate_ends.hpp"
-#include "visibility/methods/ray_space/gate_list.hpp"
 #include "visibility/methods/ray_space/options.hpp"
+#include "visibility/methods/ray_space/reach.hpp"
 
 #include <array>
 #include <cstdint>
@@ -19,16 +19,6 @@ struct BodyPoint {
   LocalPoint at;
   double margin;   ///< Frame::margin
   bool on_ground;  ///< no sight line passes below
-};
-
-/// Slopes of supporting lines: the greatest of tops and the least of bottoms; and from where on gates hold.
-struct Reach {
-  double top = -GateEnds::infinity, bottom = GateEnds::infinity, from = GateEnds::infinity;
-
-  void extend(Reach const& r)
-  {
-    top = std::max(top, r.top), bottom = std::min(bottom, r.bottom), from = std::min(from, r.from);
-  }
 };
 
 /// Bodies that were entered into the map of one frame, kept so that gates for parts of its pixels can be computed.
@@ -49,7 +39,8 @@ public:
 
   Body const& operator[](std::uint32_t body) const { return bodies_[body]; }
 
-  /// How the lines of a pixel pass a body: of each of its points in plan, whether all of them pass below, or above.
+  /// How the lines of a pixel pass a body: a bit for each of its points in plan, set if all of them pass below it, or
+  /// above.
   struct Passing {
     std::uint64_t below, above;
     bool some_meet;  ///< unless no line meets the body
@@ -57,10 +48,11 @@ public:
   };
   Passing passing(std::uint32_t body, Pixel const& pixel) const;
 
-  /// How far at best the body reaches, wherever in its box it is. Rounded: for choices. `k`: of the pixel.
+  /// How far at best the body reaches, wherever in its box it is. `k`: of the pixel.
   Reach reach(std::uint32_t body, CellSlice const& k) const;
 
-  /// The gate of the body for all lines of the pixel, if all of them cross it in front of the cell. `k`: the pixel's.
+  /// The gate of the body for all lines of the pixel; nothing unless they all cross it in front of the cell, in common
+  /// chords. `passing`: of the body and the pixel; `k`: the slice of the cell that gates it may fuse with are of.
   std::optional<Gate> gate(std::uint32_t body, Passing const& passing, Pixel const& pixel, CellSlice const& k) const;
 
 private:

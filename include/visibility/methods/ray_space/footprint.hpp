@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/methods/ray_space/occlusion_map.hpp"
+#include "visibility/methods/ray_space/reach.hpp"
 #include "visibility/methods/ray_space/rounding.hpp"
 
 #include <algorithm>
@@ -41,6 +42,17 @@ inline std::optional<LocalBox> local_box(Frame const& frame, Box const& box)
   out.extent = {near_of(out.u0, back), far_of(out.u1, back), float_below(safely_below(a.z)),
                 float_above(safely_above(b.z))};
   return out;
+}
+
+/// How far gates of bodies in the box reach at best, as near or as far in it as serves them; anything if the box may
+/// reach into the slice of the cell. `stands`: no sight line passes below.
+inline Reach reach_of(LocalBox const& b, bool stands, CellSlice const& k)
+{
+  if (!(b.u0 > k.u_out)) return {Reach::infinity, -Reach::infinity, 0};
+  double const rise = double(b.extent.high) - k.height, low = b.extent.low;
+  double const top = rise >= 0 ? rise / (b.u0 - k.u_in) : rise / (b.u1 - k.u_out);
+  double const bottom = low >= 0 ? low / (b.u1 - k.u_out) : low / (b.u0 - k.u_in);
+  return {top, stands ? -Reach::infinity : bottom, b.extent.near};
 }
 
 /// Whether the corners of a box have usable local coordinates.

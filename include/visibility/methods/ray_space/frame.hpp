@@ -51,6 +51,7 @@ public:
   int columns_below(double limit) const;
   int columns_from(double limit) const;
 
+  /// The lines of a pixel of the frame.
   Pixel pixel(int row, int column) const { return {s(column), s(column + 1), t(row), t(row + 1)}; }
 
   /// A rectangle that contains the cell's slice for every line of the pixel; empty, u_in > u_out, if no line of it

@@ -27,11 +27,4 @@ private:
   int size_, most_;
 };
 
-/// Whether the gate reaches at least as high and as low as these slopes of supporting lines (-infinity: an open bottom)
-/// and holds from as near on: a gate within can add nothing to it.
-inline bool reaches(Gate const& g, double top, double bottom, double from)
-{
-  return g.top.slope >= top && g.beyond <= from && (reaches_ground(g) || g.bottom.slope <= bottom);
-}
-
 }  // namespace visibility::ray_space

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "visibility/methods/ray_space/frame.hpp"
+#include "visibility/methods/ray_space/reach.hpp"
 
 #include <cstdint>
 #include <span>
@@ -30,13 +31,13 @@ public:
   /// whether any is not.
   bool visible_pixels(int row, int from, int to, Extent const& extent, std::int32_t* open) const;
 
-  /// Whether the largest gate of the pixel reaches at least as high and as low as these slopes of supporting lines
-  /// (-infinity: an open bottom) and holds from as near on: a gate within can add nothing to it.
-  bool reaches(int row, int c, double top, double bottom, double from) const
+  /// Whether the largest gate of the pixel reaches as far.
+  bool reaches(int row, int c, Reach const& reach) const
   {
-    return column(row, 0, top_slope)[c] >= top && column(row, 0, beyond)[c] <= from &&
-           (column(row, 0, bottom_base)[c] == -std::numeric_limits<float>::infinity() ||
-            column(row, 0, bottom_slope)[c] <= bottom);
+    auto const at = [&](Field f) { return column(row, 0, f)[c]; };
+    // A stored gate keeps an open bottom in the height of its line.
+    float const bottom = at(bottom_base) == open_bottom.base ? open_bottom.slope : at(bottom_slope);
+    return ray_space::reaches(Gate{{at(top_slope), 0, 0}, {bottom, 0, 0}, at(beyond)}, reach);
   }
 
   int components() const { return components_; }
@@ -71,7 +72,7 @@ private:
   enum class Share { none, some, all };
   template <class Visit>
   void each_block(int row, int from, int to, Extent const& extent, Visit&& visit) const;
-  void insert(int row, int column, Gate const& gate);
+  bool insert(int row, int column, Gate const& gate);  // whether anything changed
   void update_blocks(int row, int from, int to);
   void hide(int row, int from, int n, Extent const& extent, std::int32_t* hidden) const;
   void set(int row, int column, int component, Gate const& gate);

@@ -57,8 +57,9 @@ struct Options {
 
   static constexpr int min_resolution = 8, max_resolution = 65536, max_coarse = 4096, max_components = 16;
 
-  /// Of the map that it begins with; how often its pixels may be halved either way.
+  /// Of the pixels that the map begins with.
   int first_resolution() const { return std::min(coarse, resolution); }
+  /// How often these may be halved either way.
   int halvings() const
   {
     int n = 0;

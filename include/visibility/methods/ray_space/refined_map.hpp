@@ -20,7 +20,8 @@ public:
 
   EnteredBodies& bodies() { return bodies_; }
 
-  /// The body touches the pixel and may hide something there. Bodies come in the order in which they are entered.
+  /// The body, a number of bodies(), touches the pixel and may hide something there. Bodies come in the order in which
+  /// they are entered.
   void note(int row, int column, std::uint32_t body);
 
   /// How often bodies were noted.
@@ -46,7 +47,7 @@ public:
     bool is_empty_ = false;
   };
 
-  /// The pixel as a part, up to date with the map.
+  /// The pixel as a part, up to date with the map. Requires: some line of the pixel meets the cell.
   std::uint32_t part(int row, int column);
   Part const& operator[](std::uint32_t part) const { return parts_[part]; }
   std::span<Gate const> gates(std::uint32_t part) const
@@ -57,17 +58,19 @@ public:
   /// at them. Rounded: a choice.
   bool is_surely_visible(std::uint32_t part, Extent const& extent) const;
 
-  /// The first of the two halves of a part, the other one follows; or nothing if it is divided enough. They are to be
-  /// updated before their gates are asked for. `distance`: of what is looked for, from the middle of the cell: lines
-  /// then are about as far apart there in s and in t.
+  /// The first of the two halves of a part, the next number is the other; nothing if the part is as fine as any. They
+  /// are to be updated before their gates are asked for. `distance`: of what is looked for, from the middle of the
+  /// cell: lines then are about as far apart there in s and in t.
   std::optional<std::uint32_t> halves(std::uint32_t part, double distance);
   /// Brings one up to date with what it is a half of, which is.
   void update(std::uint32_t half, std::uint32_t whole);
 
-  /// Gives a divided part the gates that its halves have in common, and a pixel those of its part.
+  /// Gives a part the gates that its halves have in common, if it is divided.
   void raise(std::uint32_t part);
+  /// Gives a pixel of the map the gates of its part. Requires: part(row, column) was asked for.
   void raise(int row, int column);
 
+  /// How many parts there are, whole pixels counted.
   std::size_t size() const { return parts_.size(); }
 
 private:
