@@ -1,3 +1,4 @@
+#include "support/box_scene.hpp"
 #include "support/catch.hpp"
 #include "support/height_field_occludees.hpp"
 #include "support/trials.hpp"
@@ -73,16 +74,6 @@ void for_cases(int base, Law const& law)
 }
 
 Box box(double x0, double y0, double z0, double x1, double y1, double z1) { return {{x0, y0, z0}, {x1, y1, z1}}; }
-
-Scene boxes(std::vector<Box> const& list)
-{
-  SceneBuilder builder("boxes");
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    builder.begin_object("box " + std::to_string(i));
-    builder.add(list[i]);
-  }
-  return builder.finish();
-}
 
 }  // namespace
 
@@ -199,7 +190,7 @@ TEST_CASE("exact-2.5d: occludees, by hand", "[methods][degenerate]")
 {
   ViewCell const cell(box(-1, -1, 0, 1, 1, 2));
   auto const sees = [&](std::vector<Box> const& occluders, Box const& target) {
-    Scene const hiding = boxes(occluders), looked_for = boxes({target});
+    Scene const hiding = box_scene(occluders), looked_for = box_scene({target});
     return !visible(Both(hiding, looked_for), cell).empty();
   };
   Box const wall = box(5, -20, 0, 6, 20, 10);
@@ -221,7 +212,8 @@ TEST_CASE("exact-2.5d: occludees, by hand", "[methods][degenerate]")
   }
   SECTION("occludees do not hide each other, nor the ground under a tower")
   {
-    Scene const hiding = boxes({wall}), looked_for = boxes({box(2, -20, 0, 3, 20, 10), box(4, -1, 0, 4.5, 1, 1)});
+    Scene const hiding = box_scene({wall}),
+                looked_for = box_scene({box(2, -20, 0, 3, 20, 10), box(4, -1, 0, 4.5, 1, 1)});
     CHECK(visible(Both(hiding, looked_for), cell) == Indices{0, 1});
   }
   SECTION("a plate under the cell is seen unless a column covers it there")
@@ -232,7 +224,7 @@ TEST_CASE("exact-2.5d: occludees, by hand", "[methods][degenerate]")
   }
   SECTION("a long slope is seen only before the tower that stands on it")
   {
-    Scene const hiding = boxes({box(3, -9, 0, 3.5, 9, 2.5), box(6, -9, 0, 30, 9, 20)});
+    Scene const hiding = box_scene({box(3, -9, 0, 3.5, 9, 2.5), box(6, -9, 0, 30, 9, 20)});
     SceneBuilder builder("slope");
     builder.begin_object("slope");
     builder.add_triangle(builder.add_vertex({4, -1, 0}), builder.add_vertex({4, 1, 0}),
@@ -240,7 +232,7 @@ TEST_CASE("exact-2.5d: occludees, by hand", "[methods][degenerate]")
     Scene const slope = builder.finish();
     CHECK(visible(Both(hiding, slope), cell) == Indices{0});
     // The same with the tower right behind the wall.
-    Scene const close = boxes({box(3, -9, 0, 3.5, 9, 2.5), box(4, -9, 0, 30, 9, 20)});
+    Scene const close = box_scene({box(3, -9, 0, 3.5, 9, 2.5), box(4, -9, 0, 30, 9, 20)});
     CHECK(visible(Both(close, slope), cell).empty());
   }
 }

@@ -1,5 +1,5 @@
+#include "support/box_scene.hpp"
 #include "support/catch.hpp"
-
 #include "support/random.hpp"
 #include "support/trials.hpp"
 #include "visibility/methods/ray_space/frame.hpp"
@@ -16,19 +16,9 @@ using namespace visibility::ray_space;
 // Scenes by hand, each with one thing to get right.
 namespace {
 
-Scene boxes(std::vector<Box> const& all)
-{
-  SceneBuilder builder("test");
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    builder.begin_object("box " + std::to_string(i));
-    builder.add(all[i]);
-  }
-  return builder.finish();
-}
-
 std::vector<std::uint32_t> seen(std::vector<Box> const& all, Box const& cell, Options const& options = {})
 {
-  Scene const scene = boxes(all);
+  Scene const scene = box_scene(all);
   return RaySpace(options)(PreparedScene(scene), ViewCell(cell)).visible;
 }
 
@@ -154,7 +144,7 @@ TEST_CASE("ray-space: from within an object its inner bodies hide what is behind
 TEST_CASE("ray-space: a cell that is no box is answered for its bounds", "[methods]")
 {
   std::vector<Point3d> const corners{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 2}};
-  Scene const scene = boxes({{{5, -20, 0}, {6, 20, 10}}, {{10, -2, 0}, {11, 2, 8}}});
+  Scene const scene = box_scene({{{5, -20, 0}, {6, 20, 10}}, {{10, -2, 0}, {11, 2, 8}}});
   PreparedScene const prepared(scene);
   CHECK(RaySpace()(prepared, ViewCell::hull(corners)).visible == RaySpace()(prepared, ViewCell(cell)).visible);
 }

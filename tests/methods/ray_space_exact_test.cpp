@@ -20,7 +20,7 @@ ray_space::Options any_options(Random& random)
   ray_space::Options o;
   o.resolution = resolutions[random.chance(0.9) ? random.below(4) : random.below(7)];
   o.coarse = resolutions[random.below(random.chance(0.9) ? 4 : 7)];
-  o.components = random.between(1, 5);
+  o.components = random.chance(0.8) ? random.between(1, 5) : random.between(6, ray_space::Options::max_components);
   o.umbra = random.chance(0.5) ? ray_space::Umbra::half : ray_space::Umbra::full;
   o.bounds = random.chance(0.5) ? ray_space::Bounds::exact : ray_space::Bounds::linear;
   o.granularity = static_cast<ray_space::Granularity>(random.below(4));

@@ -1,3 +1,4 @@
+#include "support/box_scene.hpp"
 #include "support/catch.hpp"
 #include "support/height_field_scenes.hpp"
 #include "support/random.hpp"
@@ -7,7 +8,6 @@
 #include "visibility/methods/ray_space/occludee.hpp"
 #include "visibility/methods/ray_space/occluder.hpp"
 #include "visibility/methods/ray_space/refined_map.hpp"
-#include "visibility/scene/scene_builder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,18 +42,8 @@ struct Family {
   OccludeeTest test;
 };
 
-/// Walls on either side of y = `at`, in no line of columns, and `gap` between them.
+/// Two walls in one line, `gap` between them from y = `at` on.
 std::vector<Box> walls(double at, double gap) { return {{{5, -40, 0}, {6, at, 30}}, {{5, at + gap, 0}, {6, 40, 30}}}; }
-
-Scene boxes(std::vector<Box> const& all)
-{
-  SceneBuilder builder("test");
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    builder.begin_object("box " + std::to_string(i));
-    builder.add(all[i]);
-  }
-  return builder.finish();
-}
 
 }  // namespace
 
@@ -62,7 +52,7 @@ TEST_CASE("ray-space: walls that overlap within a pixel hide together what neith
   // A box behind two walls, one of which begins where the other ends and a little before: no pixel of the coarse map
   // that their ends cross is covered by either.
   std::vector<Box> const scene{{{5, -40, 0}, {6, 0.13, 30}}, {{6, 0.1, 0}, {7, 40, 30}}, {{20, -2, 0}, {21, 2, 5}}};
-  Scene const all = boxes(scene);
+  Scene const all = box_scene(scene);
   PreparedScene const prepared(all);
   auto const seen = [&](Options const& o) { return RaySpace(o)(prepared, ViewCell(cell)).visible; };
   using Set = std::vector<std::uint32_t>;
@@ -77,7 +67,7 @@ TEST_CASE("ray-space: what is seen through a gap is visible however far pixels a
     Random random(static_cast<std::uint64_t>(trial));
     auto scene = walls(random.uniform(-1, 1), std::ldexp(1.0, -random.between(1, 50)));
     scene.push_back({{20, -2, 0}, {21, 2, 5}});
-    Scene const all = boxes(scene);
+    Scene const all = box_scene(scene);
     Options const options{.resolution = 1 << random.between(5, 16), .coarse = 1 << random.between(4, 9)};
     CAPTURE(options.resolution, options.coarse);
     CHECK(RaySpace(options)(PreparedScene(all), ViewCell(cell)).visible.size() == 3);
@@ -108,6 +98,7 @@ TEST_CASE("ray-space: halves of a part cover its lines, down to the resolution",
       Pixel const& half = family.refined[part].pixel();
       smallest_s = half.s1 - half.s0, smallest_t = half.t1 - half.t0;
     }
+    // Lines of a raster are rounded one by one.
     CHECK(smallest_s == Approx((whole.s1 - whole.s0) / 8));
     CHECK(smallest_t == Approx((whole.t1 - whole.t0) / 8));
   }
